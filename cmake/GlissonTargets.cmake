@@ -1,0 +1,26 @@
+# glisson_library(name SOURCES... DEPENDS ...): a folder of the tree as a library with the alias glisson::name.
+# Folders are reached as <glisson/name/...> in the build tree through links, after installation as they are.
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/glisson)
+
+function(glisson_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include/glisson/${name} SYMBOLIC)
+  add_library(glisson_${name} STATIC ${arg_SOURCES})
+  add_library(glisson::${name} ALIAS glisson_${name})
+  set_target_properties(glisson_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(glisson_${name} PUBLIC cxx_std_20)
+  target_include_directories(glisson_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(glisson_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  glisson_warnings(glisson_${name})
+endfunction()
+
+function(glisson_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wpedantic -Wno-missing-field-initializers
+    $<$<BOOL:${GLISSON_WERROR}>:-Werror>)
+  if(GLISSON_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${GLISSON_SANITIZE} -fno-omit-frame-pointer
+      $<$<CXX_COMPILER_ID:GNU>:-fno-sanitize-recover=all>)
+    target_link_options(${target} PUBLIC -fsanitize=${GLISSON_SANITIZE})
+  endif()
+endfunction()

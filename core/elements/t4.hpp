@@ -1,0 +1,46 @@
+// Linear tetrahedron: constant gradient, one point.
+#pragma once
+
+#include <glisson/core/tensor/tensor.hpp>
+
+namespace glisson {
+
+/// Johnsen 2016, eq. 4.11. Stored: the inverse rest edge matrix and the volume, 10 numbers (they beat 12 shape derivatives).
+struct T4 {
+  static constexpr int node_count = 4;
+  static constexpr int constant_count = 10;
+
+  template <class R>
+  struct Constants {
+    R B[3][3];  ///< B[a][K] = dN_(a+1)/dX_K [1/m]; dN_0 = -(sum)
+    R volume;   ///< [m^3]
+  };
+
+  /// H_iK = sum_a (u_a - u_0)_i B_aK
+  template <class R>
+  GLISSON_HD static Mat3<R> displacement_gradient(const Constants<R>& c, const Vec3<R> (&u)[4]) {
+    Vec3<R> d[3];
+    for (int a = 0; a < 3; ++a) d[a] = u[a + 1] - u[0];
+    Mat3<R> H;
+    for (int K = 0; K < 3; ++K) {
+      H.m[0][K] = d[0].x * c.B[0][K] + d[1].x * c.B[1][K] + d[2].x * c.B[2][K];
+      H.m[1][K] = d[0].y * c.B[0][K] + d[1].y * c.B[1][K] + d[2].y * c.B[2][K];
+      H.m[2][K] = d[0].z * c.B[0][K] + d[1].z * c.B[1][K] + d[2].z * c.B[2][K];
+    }
+    return H;
+  }
+
+  /// f_a = -V P dN_a: the force of the element on its nodes.
+  template <class R>
+  GLISSON_HD static void nodal_forces(const Constants<R>& c, const Mat3<R>& P, Vec3<R> (&f)[4]) {
+    for (int a = 0; a < 3; ++a) {
+      auto row = [&](int i) {
+        return R(0) - c.volume * (P.m[i][0] * c.B[a][0] + P.m[i][1] * c.B[a][1] + P.m[i][2] * c.B[a][2]);
+      };
+      f[a + 1] = {row(0), row(1), row(2)};
+    }
+    f[0] = R(-1) * (f[1] + f[2] + f[3]);
+  }
+};
+
+}  // namespace glisson

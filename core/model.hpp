@@ -1,0 +1,181 @@
+// What is simulated: mesh, materials, loads, constraints, contact bodies and time settings, as plain host data in double.
+// Built by a reader (models/) or by hand, checked once by validate(), constant afterwards.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glisson/core/load_curve.hpp>
+#include <glisson/core/mesh/mesh.hpp>
+
+namespace glisson {
+
+/// Element formulations. Names in files: T4, T4ANP, H8, H8FixedHourglass, H8Full.
+enum class Formulation {
+  t4,        ///< linear tetrahedron
+  t4anp,     ///< tetrahedron with nodal-averaged pressure (Joldes et al. 2009)
+  h8,        ///< one-point hexahedron, stiffness hourglass control that rotates with the element (Joldes et al. 2008)
+  h8_fixed,  ///< the same with the constant reference hourglass matrix of NiftySim; not invariant to rotation
+  h8_full,   ///< 2x2x2 points with F-bar against volumetric locking (de Souza Neto et al. 1996)
+};
+const char* name_of(Formulation formulation);
+Shape shape_of(Formulation formulation);
+
+/// One Prony term: relative modulus alpha [-] that relaxes with time constant tau [s].
+struct PronyTerm {
+  double alpha = 0, tau = 1;
+};
+
+/// A constitutive law by name and its parameters in the order of the NiftySim format.
+struct MaterialSpec {
+  std::string law;                 ///< LE, NH, AB, PY, TI, OG: see core/materials/laws.hpp
+  std::vector<double> parameters;  ///< [law's count]
+  double density = 0;              ///< rest density [kg/m^3]
+  std::vector<PronyTerm> isochoric, volumetric;
+  /// Per-element values of single parameters (heterogeneous tissue): parameter index -> [section's element count].
+  std::vector<std::pair<int, std::vector<double>>> element_parameters;
+};
+
+/// Elements that share a formulation and a material; every element belongs to exactly one section.
+struct Section {
+  std::string name;  ///< for messages: "ElementSet at line 12"
+  Formulation formulation = Formulation::t4;
+  MaterialSpec material;
+  std::vector<int> elements;
+  double hourglass = 0.075;  ///< hourglass coefficient of h8 and h8_fixed [-]
+};
+
+/// Axes bit mask: 1 = x, 2 = y, 4 = z.
+using Axes = unsigned;
+constexpr Axes all_axes = 7;
+
+struct FixedNodes {
+  std::vector<int> nodes;
+  Axes axes = all_axes;
+};
+
+/// Prescribed displacement; several on one node and axis add up and beat a Fix.
+struct PrescribedDisplacement {
+  std::vector<int> nodes;
+  Axes axes = all_axes;
+  std::vector<double> values;  ///< at amplitude 1 [m]  [1] for all nodes or [nodes]
+  LoadCurve curve;
+};
+
+struct NodalForce {
+  std::vector<int> nodes;
+  Axes axes = all_axes;
+  std::vector<double> values;  ///< on each node at amplitude 1 [N]  [1] or [nodes]
+  LoadCurve curve;
+};
+
+struct Gravity {
+  std::vector<int> nodes;     ///< empty: all nodes
+  Vec3<double> acceleration;  ///< at amplitude 1 [m/s^2]
+  LoadCurve curve;
+};
+
+/// Follower pressure on the current facets; positive pushes against the outward normal.
+struct Pressure {
+  std::vector<Facet> facets;
+  double magnitude = 0;  ///< at amplitude 1 [Pa]
+  LoadCurve curve;
+};
+
+/// Force per current area with a direction fixed in space, acting in the direction as written.
+struct Traction {
+  std::vector<Facet> facets;
+  std::vector<Vec3<double>> values;  ///< at amplitude 1 [Pa]  [1] or [facets]
+  LoadCurve curve;
+};
+
+/// Springs that pull nodes to target displacements, R = k(t) (u_target - u): Johnsen 2016, eq. 3.14, with the
+/// strain-energy cap of eq. 3.15: k(t) stays at its last value while the strain energy exceeds the cap.
+struct Springs {
+  std::vector<int> nodes;
+  std::vector<Vec3<double>> targets;  ///< displacement at amplitude 1 [m]  [1] or [nodes]
+  std::vector<double> stiffness;      ///< at amplitude 1 [N/m]             [1] or [nodes]
+  LoadCurve curve;                    ///< of the stiffness (eq. 3.14: ramp)
+  LoadCurve target_curve{LoadShape::step};  ///< of the targets: step, or a curve for moving targets
+  std::optional<double> strain_energy_cap;  ///< [J]
+};
+
+/// Symmetry or sliding plane: the displacement along `normal` stays 0.
+struct SlidingPlane {
+  std::vector<int> nodes;
+  Vec3<double> normal;  ///< unit
+};
+
+/// Analytic rigid bodies (Johnsen 2016, section 4.5.8.1).
+enum class RigidShape { plate, cylinder, probe };
+struct RigidBody {
+  RigidShape shape = RigidShape::plate;
+  std::string name;
+  std::array<Vec3<double>, 3> corners{};  ///< plate: a b c; nodes on the side of -(b-a)x(c-a) are pushed back
+  Vec3<double> origin, axis;              ///< cylinder, probe: axis is unit
+  double radius = 0, length = 0;          ///< [m]
+  Vec3<double> displacement;              ///< at amplitude 1 [m]
+  double radius_change = 0;               ///< at amplitude 1 [m]
+  LoadCurve motion{LoadShape::poly345};
+  std::vector<int> nodes;  ///< nodes that may touch it; empty: all surface nodes
+};
+
+struct InitialVelocity {
+  std::vector<int> nodes;
+  Vec3<double> velocity;  ///< [m/s]
+};
+
+enum class Stepper { central_difference, newmark };
+
+/// Adaptive dynamic relaxation: ends when both residuals are below the tolerances.
+struct QuasiStatic {
+  double force_tolerance = 1e-4;         ///< |free residual force| / |external or reaction force| [-]
+  double displacement_tolerance = 1e-5;  ///< largest change per period-equivalent / largest displacement [-]
+  std::int64_t max_steps = 1'000'000;
+};
+
+struct TimeSettings {
+  double total = 0;            ///< [s]
+  std::optional<double> step;  ///< [s]; empty: chosen from the estimated stable step
+  double safety = 0.8;         ///< share of the stable step that is used
+  std::optional<Stepper> stepper;  ///< empty: Newmark if every element is T4ANP, else central difference
+  double damping = 0;              ///< mass-proportional, C = damping M [1/s]
+  std::optional<double> mass_scaling_step;  ///< elements with a smaller stable step get mass added [s]
+  std::optional<QuasiStatic> quasi_static;
+  int monitor_every = 0;           ///< energies every n steps; 0: about 200 times a run
+  double energy_tolerance = 0.2;   ///< the run stops when the balance is off by more than this share; <= 0: never
+};
+
+/// What a run writes.
+struct OutputSettings {
+  int every = 0;                       ///< steps between snapshots; 0: only the last state
+  std::vector<std::string> variables;  ///< of the NiftySim text files: U F S E EKin EStrain
+};
+
+struct Model {
+  std::string name;   ///< for messages and output, e.g. the file's stem
+  std::string units;  ///< "SI", "mm-kg-s" or empty: any consistent set
+  Mesh mesh;
+  std::vector<Section> sections;
+  std::vector<FixedNodes> fixed;
+  std::vector<PrescribedDisplacement> displacements;
+  std::vector<NodalForce> forces;
+  std::vector<Gravity> gravity;
+  std::vector<Pressure> pressures;
+  std::vector<Traction> tractions;
+  std::vector<Springs> springs;
+  std::vector<SlidingPlane> planes;
+  std::vector<RigidBody> bodies;
+  std::vector<InitialVelocity> initial_velocities;
+  TimeSettings time;
+  OutputSettings output;
+};
+
+/// Throws Error(input) for the first thing that cannot be simulated: index out of range, element without or with two
+/// sections, inverted or flat element, parameter out of its range, massless node that is not fixed, empty selection.
+/// Returns warnings (one line each) for what can be simulated but looks wrong.
+std::vector<std::string> validate(const Model& model);
+
+}  // namespace glisson

@@ -1,0 +1,1 @@
+#include <glisson/core/mesh/mesh.hpp>

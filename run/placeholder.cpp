@@ -1,0 +1,1 @@
+#include <glisson/run/make_simulation.hpp>
