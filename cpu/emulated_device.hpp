@@ -1,0 +1,96 @@
+// A backend that treats memory as a GPU does, so that mistakes with it are found on any machine. For tests; slow.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include <glisson/core/backend.hpp>
+
+namespace glisson {
+namespace detail {
+
+/// Blocks of pages that nobody can touch unless the heap is open; a page that stays closed follows each block, so that
+/// reading past the end stops at once. New memory is filled with 0xff bytes: NaN as float or double, -1 as integer.
+class GuardedHeap {
+ public:
+  GuardedHeap();
+  ~GuardedHeap();
+  GuardedHeap(const GuardedHeap&) = delete;
+  GuardedHeap& operator=(const GuardedHeap&) = delete;
+
+  void* allocate(std::size_t count, std::size_t size);
+  void release(void* memory);
+  void open();
+  void close();
+
+ private:
+  struct Block {
+    char* pages;            ///< start of the mapping
+    std::size_t bytes;      ///< that open and close [bytes]; a guard page follows
+    void* memory;           ///< given out; ends where the guard page starts, up to alignment
+  };
+  void protect(int access);
+
+  std::vector<Block> blocks_;
+  std::size_t page_;
+  int open_ = 0;
+};
+
+/// The heap is accessible while this lives.
+class HeapAccess {
+ public:
+  explicit HeapAccess(GuardedHeap& heap) : heap_(heap) { heap_.open(); }
+  ~HeapAccess() { heap_.close(); }
+  HeapAccess(const HeapAccess&) = delete;
+  HeapAccess& operator=(const HeapAccess&) = delete;
+
+ private:
+  GuardedHeap& heap_;
+};
+
+}  // namespace detail
+
+/// Host code that reads device memory stops with SIGSEGV, memory that nobody wrote reads as NaN, and bodies run in a random
+/// order, so that sums that depend on the order differ between seeds. What it cannot find: missing barriers inside a kernel.
+class EmulatedDevice {
+ public:
+  static constexpr Space space = Space::device;
+
+  explicit EmulatedDevice(std::uint64_t seed = 1) : heap_(std::make_unique<detail::GuardedHeap>()), random_(seed) {}
+
+  template <class T>
+  Buffer<T> allocate(std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    auto release = [](void* heap, T* memory, std::size_t) { static_cast<detail::GuardedHeap*>(heap)->release(memory); };
+    return Buffer<T>(static_cast<T*>(heap_->allocate(count, sizeof(T))), {release, heap_.get(), count});
+  }
+  template <class T>
+  void copy_in(const T* from, T* to, std::size_t count) {
+    const detail::HeapAccess access(*heap_);
+    std::memcpy(static_cast<void*>(to), from, count * sizeof(T));
+  }
+  template <class T>
+  void copy_out(const T* from, T* to, std::size_t count) {
+    copy_in(from, to, count);
+  }
+  template <class F>
+  void for_each(int n, F body) {
+    static_assert(std::is_trivially_copyable_v<F>, "what travels to a device is plain data");
+    const std::vector<int> order = random_order(n);
+    const detail::HeapAccess access(*heap_);
+    for (const int i : order) body(i);
+  }
+  void* stream() { return nullptr; }
+
+ private:
+  std::vector<int> random_order(int n);
+
+  std::unique_ptr<detail::GuardedHeap> heap_;  // on the heap: buffers point to it and must survive a move of the device
+  std::uint64_t random_;
+};
+
+static_assert(Backend<EmulatedDevice>);
+
+}  // namespace glisson

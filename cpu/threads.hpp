@@ -1,0 +1,66 @@
+// The backend for the cores of this machine.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+
+#include <glisson/core/backend.hpp>
+#include <glisson/cpu/memory.hpp>
+#include <glisson/cpu/team.hpp>
+
+namespace glisson {
+
+/// Loops in equal shares over a persistent team. Bodies write disjoint places, so no result depends on the number of threads.
+class Threads {
+ public:
+  static constexpr Space space = Space::host;
+  /// Loops shorter than this run on the caller: waking the others would cost more than cheap bodies do.
+  static constexpr int serial_below = 2048;
+
+  /// threads = 0: as many as this process may use.
+  explicit Threads(int threads = 0) : team_(threads) {}
+
+  Team& team() { return team_; }
+  int thread_count() const { return team_.size(); }
+
+  /// Zeroed; each page is touched first by the thread that for_each gives it to.
+  template <class T>
+  Buffer<T> allocate(std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    T* data = static_cast<T*>(detail::allocate_untouched(count, sizeof(T)));
+    const std::size_t bytes = count * sizeof(T), block = std::max<std::size_t>(4096, bytes >> 20);
+    for_each(static_cast<int>((bytes + block - 1) / block), [=](int i) {
+      const std::size_t first = static_cast<std::size_t>(i) * block;
+      std::memset(reinterpret_cast<char*>(data) + first, 0, std::min(block, bytes - first));
+    });
+    return Buffer<T>(data, {[](void*, T* memory, std::size_t) { detail::release_untouched(memory); }, nullptr, count});
+  }
+  template <class T>
+  void copy_in(const T* from, T* to, std::size_t count) {
+    std::copy_n(from, count, to);
+  }
+  template <class T>
+  void copy_out(const T* from, T* to, std::size_t count) {
+    std::copy_n(from, count, to);
+  }
+  template <class F>
+  void for_each(int n, F body) {
+    static_assert(std::is_trivially_copyable_v<F>);
+    if (n < serial_below || thread_count() == 1) {
+      for (int i = 0; i < n; ++i) body(i);
+      return;
+    }
+    team_.run([this, n, body](int thread) {
+      const Share share = share_of(n, thread, team_.size());
+      for (int i = share.first; i < share.last; ++i) body(i);
+    });
+  }
+  void* stream() { return nullptr; }
+
+ private:
+  Team team_;
+};
+
+static_assert(Backend<Threads>);
+
+}  // namespace glisson

@@ -1,0 +1,150 @@
+// What every backend of the CPU promises.
+#include <cmath>
+#include <numeric>
+#include <cstdint>
+#include <ctime>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <glisson/core/base/error.hpp>
+#include <glisson/cpu/emulated_device.hpp>
+#include <glisson/cpu/threads.hpp>
+
+namespace glisson {
+namespace {
+
+struct Twice {
+  const int* from;
+  int* to;
+  void operator()(int i) const { to[i] = 2 * from[i]; }
+};
+
+template <class B>
+class Backends : public testing::Test {
+ public:
+  B backend;
+};
+using AllBackends = testing::Types<Threads, EmulatedDevice>;
+TYPED_TEST_SUITE(Backends, AllBackends);
+
+TYPED_TEST(Backends, RunEveryBodyOnceAndCopyBothWays) {
+  for (const int n : {0, 1, 63, 2047, 2048, 2049, 100000}) {
+    const auto count = static_cast<std::size_t>(n);
+    std::vector<int> numbers(count), result(count);
+    std::iota(numbers.begin(), numbers.end(), 5);
+    auto from = this->backend.template allocate<int>(count);
+    auto to = this->backend.template allocate<int>(count);
+    this->backend.copy_in(numbers.data(), from.get(), count);
+    this->backend.for_each(n, Twice{from.get(), to.get()});
+    this->backend.copy_out(to.get(), result.data(), count);
+    for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(result[i], 2 * numbers[i]);
+  }
+}
+
+TYPED_TEST(Backends, GiveAlignedMemory) {
+  for (const std::size_t count : {1, 7, 1000, 3'000'000}) {
+    const auto buffer = this->backend.template allocate<float>(count);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(buffer.get()) % 64, 0u);
+  }
+}
+
+TYPED_TEST(Backends, RefuseMoreMemoryThanThereCanBe) {
+  EXPECT_THROW(this->backend.template allocate<double>(~std::size_t{0} / 4), Error);
+}
+
+TEST(Threads, MemoryIsZero) {
+  Threads threads(3);
+  const auto buffer = threads.allocate<int>(1'000'003);
+  for (std::size_t i = 0; i < 1'000'003; ++i) ASSERT_EQ(buffer[i], 0);
+}
+
+TEST(Threads, SharesCoverEverythingOnce) {
+  for (const int n : {0, 1, 64, 65, 1000, 2'000'000'000})
+    for (const int count : {1, 2, 3, 7}) {
+      EXPECT_EQ(share_of(n, 0, count).first, 0);
+      EXPECT_EQ(share_of(n, count - 1, count).last, n);
+      for (int t = 1; t < count; ++t) EXPECT_EQ(share_of(n, t, count).first, share_of(n, t - 1, count).last);
+    }
+}
+
+TEST(Team, RefusesImpossibleSizes) {
+  EXPECT_THROW(Team(-1), Error);
+  EXPECT_THROW(Team(Team::max_size + 1), Error);
+  EXPECT_GE(Team(0).size(), 1);
+}
+
+TEST(Team, BarrierSeparatesPhases) {
+  for (const int size : {1, 2, 3, 5}) {
+    Team team(size);
+    std::vector<int> value(static_cast<std::size_t>(size));
+    int wrong = 0;
+    constexpr int rounds = 2000;
+    team.run([&](int thread) {
+      for (int round = 0; round < rounds; ++round) {
+        value[static_cast<std::size_t>(thread)] = round;
+        team.barrier();
+        const int other = value[static_cast<std::size_t>((thread + 1) % size)];
+        team.barrier();
+        if (other != round && thread == 0) ++wrong;
+      }
+    });
+    EXPECT_EQ(wrong, 0);
+  }
+}
+
+TEST(Team, WakesAfterSleeping) {
+  Team team(3);
+  std::vector<int> runs(3, 0);
+  for (int i = 0; i < 20; ++i) {
+    team.run([&](int thread) { ++runs[static_cast<std::size_t>(thread)]; });
+    const timespec while_they_fall_asleep{0, 1'000'000};
+    nanosleep(&while_they_fall_asleep, nullptr);
+  }
+  for (int i = 0; i < 20000; ++i) team.run([&](int thread) { ++runs[static_cast<std::size_t>(thread)]; });
+  for (const int r : runs) EXPECT_EQ(r, 20020);
+}
+
+TEST(EmulatedDevice, UnwrittenMemoryIsNaN) {
+  EmulatedDevice device;
+  const auto buffer = device.allocate<float>(10);
+  float value = 0;
+  device.copy_out(buffer.get() + 9, &value, 1);
+  EXPECT_TRUE(std::isnan(value));
+}
+
+TEST(EmulatedDevice, OrderDependsOnTheSeed) {
+  struct Append {
+    int* next;
+    int* order;
+    void operator()(int i) const { order[(*next)++] = i; }
+  };
+  auto order_of = [](std::uint64_t seed) {
+    EmulatedDevice device(seed);
+    const auto next = device.allocate<int>(1), order = device.allocate<int>(100);
+    const int zero = 0;
+    device.copy_in(&zero, next.get(), 1);
+    device.for_each(100, Append{next.get(), order.get()});
+    std::vector<int> result(100);
+    device.copy_out(order.get(), result.data(), 100);
+    return result;
+  };
+  EXPECT_EQ(order_of(1), order_of(1));
+  EXPECT_NE(order_of(1), order_of(2));
+  auto sorted = order_of(1);
+  std::sort(sorted.begin(), sorted.end());
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(sorted[static_cast<std::size_t>(i)], i);
+}
+
+TEST(EmulatedDeviceDeathTest, StopsHostReadsAndReadsPastTheEnd) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EmulatedDevice device;
+  const auto buffer = device.allocate<int>(16);
+  const auto sum = device.allocate<int>(1);
+  device.for_each(16, Twice{buffer.get(), buffer.get()});
+  EXPECT_DEATH({ volatile int value = buffer[0]; static_cast<void>(value); }, "");
+  EXPECT_DEATH(device.for_each(1, Twice{buffer.get() + 16, sum.get()}), "");
+}
+
+}  // namespace
+}  // namespace glisson
