@@ -1,0 +1,89 @@
+// Loop bodies of the constraints: what they demand of a vector at a node, setting u and v, and the reactions.
+#pragma once
+
+#include <glisson/core/constraints/constraint_list.hpp>
+#include <glisson/core/loads/list_forces.hpp>
+
+namespace glisson {
+
+/// One number per load curve, by value when there are few (the usual case needs no copy to a device).
+struct CurveValues {
+  static constexpr int by_value = 16;
+  double few[by_value] = {};
+  const double* many = nullptr;  ///< [curve_count], when there are more
+  GLISSON_HD double operator[](int k) const { return many ? many[k] : few[k]; }
+};
+
+/// The list on the backend.
+struct ConstraintView {
+  const int* nodes;
+  const unsigned* axes;
+  const int* value_begin;
+  const PrescribedValue* values;
+  const int* plane_begin;
+  const PlaneProjection* planes;
+
+  /// a with the constraints of entry i: prescribed axes get sum amplitude value, in double, planes keep only the tangent.
+  template <class R>
+  GLISSON_HD Vec3<R> constrain(int i, const Vec3<R>& a, const CurveValues& amplitude) const {
+    const unsigned constrained = axes[i];
+    double sum[3] = {0, 0, 0};
+    for (int k = value_begin[i]; k < value_begin[i + 1]; ++k)
+      for (int axis = 0; axis < 3; ++axis)
+        if (values[k].axes & (1u << axis)) sum[axis] += amplitude[values[k].curve] * values[k].value;
+    Vec3<R> b{constrained & 1u ? R(sum[0]) : a.x, constrained & 2u ? R(sum[1]) : a.y, constrained & 4u ? R(sum[2]) : a.z};
+    for (int k = plane_begin[i]; k < plane_begin[i + 1]; ++k) {
+      const Vec3<double> n = planes[k].normal, d = planes[k].direction;
+      const double out = n.x * double(b.x) + n.y * double(b.y) + n.z * double(b.z);
+      b = {R(double(b.x) - out * d.x), R(double(b.y) - out * d.y), R(double(b.z) - out * d.z)};
+    }
+    return b;
+  }
+};
+
+/// u(n+1) and v(n+1/2) of constrained nodes, exactly.
+template <class R>
+struct ConstrainNodes {
+  ConstraintView list;
+  Vec4<R>*u, *v;  ///< [node_count]
+  CurveValues displacement, velocity;
+
+  GLISSON_HD void operator()(int i) const {
+    const int n = list.nodes[i];
+    const Vec3<R> p = list.constrain(i, xyz(u[n]), displacement), w = list.constrain(i, xyz(v[n]), velocity);
+    u[n] = {p.x, p.y, p.z, u[n].w};
+    v[n] = {w.x, w.y, w.z, v[n].w};
+  }
+};
+
+/// a <- its part in the free directions: residual forces without reactions, velocities that the constraints allow.
+template <class R>
+struct ProjectNodes {
+  ConstraintView list;
+  Vec4<R>* a;  ///< [node_count]
+  GLISSON_HD void operator()(int i) const {
+    const int n = list.nodes[i];
+    const Vec3<R> b = list.constrain(i, xyz(a[n]), CurveValues{});
+    a[n] = {b.x, b.y, b.z, a[n].w};
+  }
+};
+
+/// Reaction that makes the stepper itself arrive at the constrained velocity: r = (v_c - v_free) / (kick / m), where v_free is what
+/// the stepper would give without it. A massless node just has its force cancelled.
+template <class R, class Stepper>
+struct Reaction : LastForces<R> {
+  ConstraintView list;
+  const Vec4<R>*v, *f;  ///< [node_count]
+  CurveValues velocity;
+  Stepper stepper;
+
+  GLISSON_HD Vec3<R> force(int i, int n) const {
+    const R inverse_mass = v[n].w;
+    if (!(inverse_mass > R(0))) return R(-1) * xyz(f[n]);
+    const Vec3<R> v_free = stepper.velocity(xyz(v[n]), xyz(f[n]), inverse_mass);
+    const Vec3<R> change = list.constrain(i, v_free, velocity) - v_free;
+    return (R(1) / (stepper.kick * inverse_mass)) * change;
+  }
+};
+
+}  // namespace glisson

@@ -1,0 +1,166 @@
+// A bench for providers: nodes with u and v on any backend, forces back on the host, and a time loop for free particles.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include <glisson/core/loads/upload.hpp>
+#include <glisson/core/numbering.hpp>
+#include <glisson/cpu/emulated_device.hpp>
+#include <glisson/cpu/threads.hpp>
+
+namespace glisson {
+
+/// The plainest host backend.
+struct PlainHost {
+  static constexpr Space space = Space::host;
+  template <class T>
+  Buffer<T> allocate(std::size_t n) {
+    return Buffer<T>(new T[n](), {[](void*, T* data, std::size_t) { delete[] data; }, nullptr, n});
+  }
+  template <class T>
+  void copy_in(const T* from, T* to, std::size_t n) {
+    std::copy_n(from, n, to);
+  }
+  template <class T>
+  void copy_out(const T* from, T* to, std::size_t n) {
+    std::copy_n(from, n, to);
+  }
+  template <class F>
+  void for_each(int n, F body) {
+    for (int i = 0; i < n; ++i) body(i);
+  }
+  void* stream() { return nullptr; }
+};
+
+/// Undamped central difference with the members that the engine's steppers have.
+template <class R>
+struct PlainStepper {
+  R kick, drift;  ///< [s]
+  GLISSON_HD Vec3<R> velocity(const Vec3<R>& v, const Vec3<R>& f, R inverse_mass) const {
+    return v + (kick * inverse_mass) * f;
+  }
+};
+
+template <class Backend_, class R_>
+struct Case {
+  using Backend = Backend_;
+  using R = R_;
+};
+template <class C>
+using BackendOf = typename C::Backend;
+template <class C>
+using RealOf = typename C::R;
+using BenchCases = ::testing::Types<Case<PlainHost, double>, Case<PlainHost, float>, Case<Threads, double>,
+                                    Case<Threads, float>, Case<EmulatedDevice, float>>;
+
+/// User node n has the internal number (7 n + 3) mod count, if 7 and count are coprime; identity otherwise.
+inline Numbering shuffled_numbering(int count) {
+  Numbering numbering;
+  const bool coprime = std::gcd(7, count) == 1;
+  numbering.internal_of_user.resize(std::size_t(count));
+  numbering.user_of_internal.resize(std::size_t(count));
+  for (int n = 0; n < count; ++n) {
+    const int internal = coprime ? (7 * n + 3) % count : n;
+    numbering.internal_of_user[std::size_t(n)] = internal;
+    numbering.user_of_internal[std::size_t(internal)] = n;
+  }
+  return numbering;
+}
+
+/// Nodes in the user's numbering on the outside, internal numbering and a backend inside.
+template <class C>
+class Bench {
+  using B = BackendOf<C>;
+  using R = RealOf<C>;
+
+ public:
+  explicit Bench(int count, double mass = 1)
+      : numbering(shuffled_numbering(count)), masses(std::size_t(count), mass), u(std::size_t(count)), v(u), f(u),
+        u_(detail::zeros<Vec4<R>>(backend, u.size())), v_(detail::zeros<Vec4<R>>(backend, u.size())),
+        f_(detail::zeros<Vec4<R>>(backend, u.size())), predicted_(detail::zeros<Vec4<R>>(backend, u.size())) {}
+
+  /// The step that the device would see for the host's u and v; f starts at 0.
+  StepView<R> view(double t, double dt) {
+    put(u, u_.get(), false);
+    put(v, v_.get(), true);
+    backend.copy_in(std::vector<Vec4<R>>(u.size()).data(), f_.get(), u.size());
+    StepView<R> step;
+    step.u = u_.get();
+    step.v = v_.get();
+    step.f = f_.get();
+    step.node_count = static_cast<int>(u.size());
+    step.t = t;
+    step.dt = dt;
+    step.step = step_count;
+    step.advance_per_force = R(dt * dt);
+    step.monitor = true;
+    return step;
+  }
+  /// Forces of a provider at the host's u and v.
+  const std::vector<Vec3<double>>& forces(ForceProvider<R>& provider, const StepView<R>& step) {
+    provider.add_forces(step);
+    get(f_.get(), f);
+    return f;
+  }
+  const std::vector<Vec3<double>>& forces(ForceProvider<R>& provider, double t = 1) {
+    return forces(provider, view(t, 1));
+  }
+  /// One step of the central difference for free nodes, on the host; counts step_count on.
+  void advance(double dt) {
+    const PlainStepper<double> stepper{step_count == 0 ? 0.5 * dt : dt, dt};
+    for (std::size_t n = 0; n < u.size(); ++n) {
+      v[n] = stepper.velocity(v[n], f[n], 1 / masses[n]);
+      u[n] = u[n] + dt * v[n];
+    }
+    ++step_count;
+  }
+  void put(const std::vector<Vec3<double>>& from, Vec4<R>* to, bool inverse_mass) {
+    std::vector<Vec4<R>> host(from.size());
+    for (std::size_t n = 0; n < from.size(); ++n) {
+      auto& a = host[std::size_t(numbering.internal_of_user[n])];
+      a = detail::narrow<R>(from[n]);
+      if (inverse_mass) a.w = masses[n] > 0 ? R(1 / masses[n]) : R(0);
+    }
+    backend.copy_in(host.data(), to, host.size());
+  }
+  void get(const Vec4<R>* from, std::vector<Vec3<double>>& to) {
+    std::vector<Vec4<R>> host(to.size());
+    backend.copy_out(from, host.data(), host.size());
+    for (std::size_t n = 0; n < to.size(); ++n) {
+      const auto& a = host[std::size_t(numbering.internal_of_user[n])];
+      to[n] = {double(a.x), double(a.y), double(a.z)};
+    }
+  }
+  Vec4<R>* predicted() { return predicted_.get(); }
+  Vec4<R>* device_u() { return u_.get(); }
+  Vec4<R>* device_v() { return v_.get(); }
+  Vec4<R>* device_f() { return f_.get(); }
+  static double tolerance() { return sizeof(R) == 4 ? 2e-6 : 1e-13; }
+
+  B backend;
+  Numbering numbering;
+  std::vector<double> masses;            ///< [kg]
+  std::vector<Vec3<double>> u, v, f;     ///< user's numbering
+  std::int64_t step_count = 0;
+
+ private:
+  Buffer<Vec4<R>> u_, v_, f_, predicted_;
+};
+
+inline Vec3<double> sum_of(const std::vector<Vec3<double>>& values) {
+  Vec3<double> sum;
+  for (const auto& a : values) sum = sum + a;
+  return sum;
+}
+inline void expect_near(const Vec3<double>& a, const Vec3<double>& b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+}  // namespace glisson
