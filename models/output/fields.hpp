@@ -1,0 +1,46 @@
+// Arrays on nodes and elements as they go into a file: views on somebody else's numbers, with a name.
+#pragma once
+
+#include <glisson/core/any_simulation.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glisson {
+
+/// A view; what it looks at must live until the file is written.
+struct Field {
+  std::string name;
+  int components = 1;
+  std::span<const double> values;  ///< [-]  [count][components]
+};
+
+Field field(std::string name, std::span<const double> values);        ///< 1 component
+Field field(std::string name, std::span<const Vec3<double>> values);  ///< 3 components: x y z
+Field field(std::string name, std::span<const Sym3<double>> values);  ///< 6 components: 11 22 33 12 23 13
+
+struct Fields {
+  std::vector<Field> point;  ///< per node
+  std::vector<Field> cell;   ///< per element
+};
+
+/// One state of a simulation, copied to the host.
+struct Snapshot {
+  double time = 0;                           ///< [s]
+  std::vector<Vec3<double>> displacement;    ///< [m]    [node_count]
+  std::vector<Vec3<double>> velocity;        ///< [m/s]  [node_count]
+  std::vector<Vec3<double>> internal_force;  ///< [N]    [node_count]
+  ElementFields elements;                    ///< [element_count] each
+
+  static Snapshot of(const AnySimulation& simulation);
+  /// displacement, velocity, internal_force on nodes; stress, strain, J on elements. Empty arrays are left
+  /// out.
+  Fields fields() const;
+};
+
+/// Throws Error(run) for the first value that is not finite, naming array and node or element, and
+/// Error(usage) for a size that does not fit. `largest` is the largest value that the file's number type
+/// holds.
+void require_finite(const Fields& fields, std::size_t node_count, std::size_t element_count, double largest);
+
+}  // namespace glisson
