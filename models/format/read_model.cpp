@@ -1,0 +1,95 @@
+#include <glisson/models/format/read_model.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <glisson/models/format/reader.hpp>
+#include <glisson/models/format/schema.hpp>
+
+namespace glisson {
+namespace detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+std::string contents_of(const std::string& path, const Place& place) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!is_file(path) || !stream)
+    throw Error(ErrorKind::input, "the file '" + path + "' cannot be opened; check its name and permissions", place);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) throw Error(ErrorKind::input, "the file '" + path + "' cannot be read to its end", place);
+  return std::move(text).str();
+}
+
+}  // namespace
+
+void Reader::warn(const XmlElement& element, const std::string& message) const {
+  if (options_.warnings != nullptr) options_.warnings->push_back(located(element.place(), message));
+}
+
+void Reader::complain(const XmlElement& element, int line, const std::string& message) const {
+  if (!options_.lenient) element.fail(line, message);
+  if (options_.warnings != nullptr) options_.warnings->push_back(located(element.place(line), message + " (ignored)"));
+}
+
+std::string Reader::find_file(const XmlElement& element, const std::string& path) const {
+  if (!options_.allow_files) element.fail("files are not allowed here, but '" + path + "' is asked for");
+  const fs::path beside = fs::path(file_).parent_path() / path;  // an absolute path stays as it is
+  if (is_file(beside)) return beside.string();
+  if (is_file(path)) {
+    warn(element, "'" + path + "' is not beside the simulation file; the one in the working directory is used");
+    return path;
+  }
+  element.fail("the file '" + path + "' is neither at '" + beside.string() + "' nor in the working directory '" +
+               fs::current_path().string() + "'");
+}
+
+std::vector<double> Reader::numbers_in_file(const XmlElement& element, const std::string& path, std::size_t most) const {
+  const auto found = find_file(element, path);
+  const XmlText text{contents_of(found, element.place()), 1};
+  std::vector<double> values;
+  for_each_token(text, [&](std::string_view token, int line) {
+    const auto value = to_number(token);
+    if (!value)
+      throw Error(ErrorKind::input, "'" + std::string(token.substr(0, 40)) + "' is not a finite number", {found, line, ""});
+    if (values.size() == most)
+      throw Error(ErrorKind::input, "the file holds more than the " + std::to_string(most) + " values that are needed",
+                  {found, line, ""});
+    values.push_back(*value);
+  });
+  return values;
+}
+
+}  // namespace detail
+
+Model parse_model(std::string_view xml, const std::string& file_name, const ReadOptions& options) {
+  detail::XmlDocument document;
+  detail::parse_xml(xml, file_name, document);
+  detail::Reader reader(options, file_name);
+  const auto& root = document.root;
+  detail::check_names(reader, root);
+  TimeSettings time;
+  detail::read_system_params(reader, root, time);
+  detail::Part part = detail::read_level(reader, root);
+  detail::read_contact(reader, root, part);
+  Model& model = part.model;
+  model.time = time;
+  detail::read_output(root, model.output);
+  if (const auto units = root.attribute("units")) model.units = units->value;
+  model.name = std::filesystem::path(file_name).stem().string();
+  return std::move(part.model);
+}
+
+Model read_model(const std::string& path, const ReadOptions& options) {
+  return parse_model(detail::contents_of(path, {}), path, options);
+}
+
+}  // namespace glisson

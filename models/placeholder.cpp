@@ -1,1 +1,0 @@
-#include <glisson/core/mesh/mesh.hpp>
