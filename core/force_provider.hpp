@@ -25,6 +25,7 @@ struct StepView {
   int node_count = 0;
   std::int64_t step = 0;
   double t = 0, dt = 0;  ///< [s]
+  double t_next = 0;     ///< time of the displacement that these forces lead to: t + dt, or the pseudo time of a static run [s]
   R advance_per_force = R(0);  ///< u(t + dt) changes by advance_per_force * f / mass [s^2]
   bool advance = true;   ///< false: evaluate only; material history and accumulated work stay as they are
   bool monitor = false;  ///< true: accumulate work (energy())

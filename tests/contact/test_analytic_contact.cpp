@@ -1,0 +1,168 @@
+// Rigid bodies as providers: nodes end each step on the surface, with work, report and restart.
+#include <glisson/contact/analytic/rigid_bodies.hpp>
+
+#include <cmath>
+
+#include "tests/core/load_bench.hpp"
+
+namespace glisson::contact {
+namespace {
+
+template <class C>
+struct RigidContacts : ::testing::Test {};
+TYPED_TEST_SUITE(RigidContacts, BenchCases);
+
+/// Free nodes of the model in a time loop with its bodies.
+template <class C>
+struct Scene {
+  using R = RealOf<C>;
+  explicit Scene(const Model& m, double mass = 1)
+      : model(m), bench(m.mesh.node_count(), mass),
+        bodies(make_rigid_bodies<BackendOf<C>, R>(bench.backend, m, bench.numbering)) {}
+
+  void step(double dt) {
+    const double kick = bench.step_count == 0 ? 0.5 * dt : dt, t = double(bench.step_count) * dt;
+    StepView<R> view = bench.view(t, dt);
+    view.t_next = double(bench.step_count + 1) * dt;
+    view.advance_per_force = R(dt * kick);
+    auto predicted = bench.u;
+    for (std::size_t n = 0; n < predicted.size(); ++n) predicted[n] = predicted[n] + dt * bench.v[n];
+    bench.put(predicted, bench.predicted(), false);
+    view.u_predicted = bench.predicted();
+    bench.f.assign(bench.f.size(), {});
+    for (auto& body : bodies) bench.forces(*body, view);
+    bench.advance(dt);
+  }
+  ContactReport report() const { return dynamic_cast<const ContactSource&>(*bodies[0]).report(); }
+  Vec3<double> position(int n) const { return model.mesh.X[std::size_t(n)] + bench.u[std::size_t(n)]; }
+
+  Model model;
+  Bench<C> bench;
+  std::vector<std::unique_ptr<ForceProvider<R>>> bodies;
+};
+
+RigidBody pressing_plate() {  // front along -z, comes down from z = 1 to z = 0.5
+  RigidBody plate;
+  plate.name = "compression plate";
+  plate.corners = {{{0, 0, 1}, {0, 4, 1}, {4, 0, 1}}};
+  plate.displacement = {0, 0, -0.5};
+  plate.motion = {LoadShape::ramp, 0, 1};
+  plate.nodes = {0, 1, 2};
+  return plate;
+}
+
+TYPED_TEST(RigidContacts, NodesEndEachStepOnTheMovingPlate) {
+  Model model;
+  model.mesh.X = {{1, 1, 0.97}, {2, 1, 0.2}, {5, 1, 0.97}, {1, 2, 0.97}};  // touched, too low, beside it, not listed
+  model.bodies = {pressing_plate()};
+  Scene<TypeParam> scene(model, 0.125);
+  const double eps = 4 * scene.bench.tolerance();
+  for (int n = 1; n <= 10; ++n) {
+    scene.step(0.1);
+    // once touched, the node keeps the plate's speed and stays on it
+    EXPECT_NEAR(scene.position(0).z, std::min(0.97, 1 - 0.05 * n), eps);
+    EXPECT_NEAR(scene.bench.v[0].z, n == 1 ? -0.2 : -0.5, 10 * eps);
+  }
+  for (const int n : {1, 2, 3}) expect_near(scene.bench.u[std::size_t(n)], {}, 0);
+}
+
+TYPED_TEST(RigidContacts, TheProbePushesNodesToItsSurface) {
+  Model model;
+  model.mesh.X = {{0.3, 0.4, 2}, {0, 0.1, 3.5}, {0, 0, 3}, {3, 3, 3}};
+  RigidBody probe;
+  probe.shape = RigidShape::probe;
+  probe.axis = {0, 0, 1};
+  probe.radius = 1;
+  probe.length = 3;
+  probe.nodes = {0, 1, 2, 3};
+  model.bodies = {probe};
+  Scene<TypeParam> scene(model, 3);
+  const double eps = 4 * scene.bench.tolerance();
+  scene.step(0.1);
+  expect_near(scene.position(0), {0.6, 0.8, 2}, eps);
+  const auto tip = scene.position(1) - Vec3<double>{0, 0, 3};
+  EXPECT_NEAR(std::sqrt(dot(tip, tip)), 1, eps);
+  expect_near(scene.position(3), {3, 3, 3}, 0);
+  EXPECT_EQ(scene.report().node_count, 3);
+  EXPECT_NEAR(scene.report().depth, 1, eps);  // of the state before the step: the node on the axis
+  scene.step(0.1);
+  EXPECT_LT(scene.report().depth, eps);
+  EXPECT_NEAR(scene.report().largest_depth, 1, eps);
+}
+
+TYPED_TEST(RigidContacts, AGrowingCylinderPushesOutwards) {
+  Model model;
+  model.mesh.X = {{1.25, 0, 1}};
+  RigidBody cylinder;
+  cylinder.shape = RigidShape::cylinder;
+  cylinder.axis = {0, 0, 1};
+  cylinder.radius = 1;
+  cylinder.length = 2;
+  cylinder.radius_change = 1;
+  cylinder.motion = {LoadShape::ramp, 0, 1};
+  cylinder.nodes = {0};
+  model.bodies = {cylinder};
+  Scene<TypeParam> scene(model);
+  for (int n = 0; n < 8; ++n) scene.step(0.125);
+  EXPECT_NEAR(scene.position(0).x, 2, 4 * scene.bench.tolerance());
+}
+
+/// A free mass that a plate sets in motion: the work of the plate is its kinetic energy, at every step.
+TYPED_TEST(RigidContacts, WorkIsTheEnergyOfTheNodes) {
+  Model model;
+  model.mesh.X = {{1, 1, 0.93}, {1, 2, 0.8}, {2, 1, 0.99}};
+  model.bodies = {pressing_plate()};
+  model.bodies[0].motion = {LoadShape::poly345, 0, 1};
+  Scene<TypeParam> scene(model, 2);
+  scene.bench.v[1] = {0, 0, 0.5};
+  const double start = 0.25;
+  for (int n = 0; n < 20; ++n) {
+    const auto before = scene.bench.v;
+    scene.step(0.05);
+    double kinetic = 0;
+    for (std::size_t k = 0; k < 3; ++k) kinetic += dot(before[k], scene.bench.v[k]);
+    EXPECT_NEAR(scene.bodies[0]->work(), kinetic - start, 20 * scene.bench.tolerance()) << n;
+  }
+  EXPECT_GT(scene.bodies[0]->work(), 0.1);
+}
+
+TYPED_TEST(RigidContacts, ReportGivesTheResultant) {
+  Model model;
+  model.mesh.X = {{1, 1, 1.5}, {1, 2, 0.5}, {2, 1, 1.25}};
+  model.bodies = {pressing_plate()};
+  Scene<TypeParam> scene(model, 2);
+  scene.step(0.1);
+  const auto report = scene.report();
+  const double kick = 0.05 * 0.1;
+  EXPECT_EQ(report.node_count, 2);
+  expect_near(report.force, {0, 0, -2 * (0.55 + 0.3) / kick}, 1000 * scene.bench.tolerance());
+}
+
+TYPED_TEST(RigidContacts, RestartGivesTheSameBits) {
+  Model model;
+  model.mesh.X = {{1, 1, 0.93}, {1, 2, 0.8}, {2, 1, 0.99}};
+  model.bodies = {pressing_plate()};
+  Scene<TypeParam> whole(model, 2), first(model, 2), second(model, 2);
+  for (int n = 0; n < 20; ++n) whole.step(0.05);
+  for (int n = 0; n < 11; ++n) first.step(0.05);
+  second.bodies[0]->load(first.bodies[0]->save());
+  second.bench.u = first.bench.u, second.bench.v = first.bench.v, second.bench.step_count = 11;
+  for (int n = 11; n < 20; ++n) second.step(0.05);
+  for (std::size_t n = 0; n < 3; ++n) expect_near(second.bench.u[n], whole.bench.u[n], 0);
+  EXPECT_EQ(second.bodies[0]->save(), whole.bodies[0]->save());
+  EXPECT_EQ(second.bodies[0]->work(), whole.bodies[0]->work());
+}
+
+TEST(RigidContactInput, AnEmptyListMeansTheSurface) {
+  Mesh mesh;
+  mesh.X = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {5, 5, 5}, {0.25, 0.25, 0.25}};
+  for (const auto& e : {std::array{0, 1, 2, 5}, {0, 3, 1, 5}, {0, 2, 3, 5}, {1, 3, 2, 5}})
+    mesh.add_element(Shape::tetrahedron, e);
+  EXPECT_EQ(candidate_nodes(RigidBody{}, mesh), (std::vector{0, 1, 2, 3}));
+  RigidBody listed;
+  listed.nodes = {4};
+  EXPECT_EQ(candidate_nodes(listed, mesh), std::vector{4});
+}
+
+}  // namespace
+}  // namespace glisson::contact
