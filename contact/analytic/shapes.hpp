@@ -30,13 +30,20 @@ struct Plate {
   }
 };
 
-/// Way out of a ball of radius `radius` from q relative to its centre (or, for q normal to an axis, out of a cylinder); exactly in the
-/// middle every way is as short, and `side` is taken.
+/// Way out of a ball of radius `radius` from q relative to its centre (or, for q normal to an axis, out of a cylinder). In the middle
+/// (within a millionth of the radius, where q is rounding) every way is as short, and `side` is taken.
 template <class R>
 GLISSON_HD Penetration<R> out_of_circle(const Vec3<R>& q, R radius, const Vec3<R>& side) {
   const R r = square_root(dot(q, q));
   if (!(r < radius)) return {};
-  return {radius - r, r > R(0) ? (R(1) / r) * q : side};
+  return r > R(1e-6) * radius ? Penetration<R>{radius - r, (R(1) / r) * q} : Penetration<R>{radius, side};
+}
+
+/// The part of p normal to a unit axis; twice, because near the axis the first difference is mostly rounding.
+template <class R>
+GLISSON_HD Vec3<R> normal_to(const Vec3<R>& p, const Vec3<R>& axis, R along) {
+  const Vec3<R> q = p - along * axis;
+  return q - dot(q, axis) * axis;
 }
 
 /// Open cylinder: pushes radially where 0 < s < length along the axis. Reference point: the start of the axis.
@@ -48,7 +55,7 @@ struct Cylinder {
   GLISSON_HD Penetration<R> operator()(const Vec3<R>& p) const {
     const R s = dot(p, axis);
     if (!(s > R(0) && s < length)) return {};
-    return out_of_circle(p - s * axis, radius, side);
+    return out_of_circle(normal_to(p, axis, s), radius, side);
   }
 };
 
@@ -61,7 +68,7 @@ struct Probe {
   GLISSON_HD Penetration<R> operator()(const Vec3<R>& p) const {
     const R s = dot(p, axis);
     if (!(s > R(0))) return {};
-    return s < length ? out_of_circle(p - s * axis, radius, side) : out_of_circle(p - length * axis, radius, axis);
+    return s < length ? out_of_circle(normal_to(p, axis, s), radius, side) : out_of_circle(p - length * axis, radius, axis);
   }
 };
 
