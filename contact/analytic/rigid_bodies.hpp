@@ -1,4 +1,5 @@
-// All analytic rigid bodies of a model as contact providers of a backend. Include it only where a backend is instantiated.
+// All analytic rigid bodies of a model as contact providers of a backend. Include it only where a backend is
+// instantiated.
 #pragma once
 
 #include <memory>
@@ -8,19 +9,26 @@
 
 namespace glisson::contact {
 
-/// The backend must outlive the result; the model need not. Every provider is also a ContactSource. The node masses, if given, are not
-/// needed: the inertial ones come with each step (v.w).
+/// The backend must outlive the result; the model need not. Every provider is also a ContactSource. The node
+/// masses, if given, are not needed: the inertial ones come with each step (v.w).
 template <Backend B, class R>
-std::vector<std::unique_ptr<ForceProvider<R>>> make_rigid_bodies(B& backend, const Model& model, const Numbering& numbering,
-                                                                  std::span<const double> = {}) {
+std::vector<std::unique_ptr<ForceProvider<R>>> make_rigid_bodies(B& backend, const Model& model,
+                                                                 const Numbering& numbering,
+                                                                 std::span<const double> = {}) {
   std::vector<std::unique_ptr<ForceProvider<R>>> result;
   const auto add = [&]<class Shape>(const RigidBody& body, Shape) {
     result.push_back(std::make_unique<RigidContact<B, R, Shape>>(backend, body, model.mesh, numbering));
   };
   for (const RigidBody& body : model.bodies) switch (body.shape) {
-      case RigidShape::plate: add(body, Plate<R>{}); break;
-      case RigidShape::cylinder: add(body, Cylinder<R>{}); break;
-      case RigidShape::probe: add(body, Probe<R>{}); break;
+      case RigidShape::plate:
+        add(body, Plate<R>{});
+        break;
+      case RigidShape::cylinder:
+        add(body, Cylinder<R>{});
+        break;
+      case RigidShape::probe:
+        add(body, Probe<R>{});
+        break;
     }
   return result;
 }

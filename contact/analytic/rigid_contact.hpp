@@ -24,16 +24,17 @@ class ContactSource {
   virtual ContactReport report() const = 0;
 };
 
-/// With u(t + dt) = u_predicted + advance_per_force f / m, the force f = m depth out / advance_per_force ends the step on the surface
-/// of the body at t + dt (the kinematic correction of Johnsen 2016, section 4.5.8.1, written as a force).
+/// With u(t + dt) = u_predicted + advance_per_force f / m, the force f = m depth out / advance_per_force ends
+/// the step on the surface of the body at t + dt (the kinematic correction of Johnsen 2016, section 4.5.8.1,
+/// written as a force).
 template <class R, class Shape>
 struct ContactForce : LastForces<R> {
   Shape shape;
-  Vec3<R> shift;             ///< of the body [m]
-  const Vec4<R>* X;          ///< rest position relative to the body's reference point [m]  [entry_count]
-  const Vec4<R>* u;          ///< displacement [m]                                          [node_count]
-  const Vec4<R>* v;          ///< w: 1/mass [1/kg]                                          [node_count]
-  R advance_per_force;       ///< [s^2]
+  Vec3<R> shift;        ///< of the body [m]
+  const Vec4<R>* X;     ///< rest position relative to the body's reference point [m]  [entry_count]
+  const Vec4<R>* u;     ///< displacement [m]                                          [node_count]
+  const Vec4<R>* v;     ///< w: 1/mass [1/kg]                                          [node_count]
+  R advance_per_force;  ///< [s^2]
 
   GLISSON_HD Penetration<R> penetration(int i, int n) const { return shape(xyz(X[i]) + xyz(u[n]) - shift); }
   GLISSON_HD Vec3<R> force(int i, int n) const {
@@ -85,10 +86,11 @@ class RigidContact final : public ForceProvider<R>, public ContactSource {
   void add_forces(const StepView<R>& step) override {
     if (count_ == 0) return;
     // a caller that leaves t_next at 0 means t + dt
-    const ContactForce<R, Shape> next = rule(step, step.t_next >= step.t ? step.t_next : step.t + step.dt, step.u_predicted);
+    const ContactForce<R, Shape> next =
+        rule(step, step.t_next >= step.t ? step.t_next : step.t + step.dt, step.u_predicted);
     if (work_.counts(step))
-      backend_.for_each(work_.chunk_count(), CollectReport<R, Shape>{rule(step, step.t, step.u), next, nodes_.get(), count_,
-                                                                     parts_.get()});
+      backend_.for_each(work_.chunk_count(), CollectReport<R, Shape>{rule(step, step.t, step.u), next,
+                                                                     nodes_.get(), count_, parts_.get()});
     work_.run(step, nodes_.get(), next);
   }
   double work() const override { return work_.total(); }
@@ -106,7 +108,8 @@ class RigidContact final : public ForceProvider<R>, public ContactSource {
   }
   std::vector<std::byte> save() const override {
     detail::ByteWriter out;
-    out.buffer(backend_, last_, std::size_t(count_)).buffer(backend_, parts_, std::size_t(work_.chunk_count()));
+    out.buffer(backend_, last_, std::size_t(count_))
+        .buffer(backend_, parts_, std::size_t(work_.chunk_count()));
     work_.save(out);
     return out.take();
   }
@@ -139,8 +142,8 @@ class RigidContact final : public ForceProvider<R>, public ContactSource {
         parts_(detail::zeros<ContactPart>(backend, std::size_t(work_.chunk_count()))) {}
 
   ContactForce<R, Shape> rule(const StepView<R>& step, double t, const Vec4<R>* u) const {
-    ContactForce<R, Shape> result{{last_.get()}, {}, narrowed<R>(motion_.shift(t)), X_.get(), u, step.v,
-                                  step.advance_per_force};
+    ContactForce<R, Shape> result{
+        {last_.get()}, {}, narrowed<R>(motion_.shift(t)), X_.get(), u, step.v, step.advance_per_force};
     shape_at(motion_, t, result.shape);
     return result;
   }

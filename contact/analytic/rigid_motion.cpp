@@ -17,7 +17,8 @@ double length_of(const Vec3<double>& a) { return std::sqrt(dot(a, a)); }
 }
 void demand_positive(const RigidBody& body, double value, const char* what) {
   if (!(value > 0) || !std::isfinite(value))
-    refuse(body, std::string("has the ") + what + " " + std::to_string(value) + ", so it touches nothing. Give a positive " + what + ".");
+    refuse(body, std::string("has the ") + what + " " + std::to_string(value) +
+                     ", so it touches nothing. Give a positive " + what + ".");
 }
 
 }  // namespace
@@ -27,7 +28,9 @@ RigidMotion::RigidMotion(const RigidBody& body) : body_(body) {
     const Vec3<double> ab = body.corners[1] - body.corners[0], ac = body.corners[2] - body.corners[0];
     const double area = length_of(cross(ab, ac));
     if (!(area > 1e-9 * length_of(ab) * length_of(ac)) || !std::isfinite(area))
-      refuse(body, "is a plate whose corners lie on one line, so it has no front. Give three corners of a parallelogram.");
+      refuse(body,
+             "is a plate whose corners lie on one line, so it has no front. Give three corners of a "
+             "parallelogram.");
     return;
   }
   demand_positive(body, body.radius, "radius");
@@ -44,7 +47,8 @@ RigidMotion::RigidMotion(const RigidBody& body) : body_(body) {
 Plate<double> RigidMotion::plate() const {
   const Vec3<double> ab = body_.corners[1] - body_.corners[0], ac = body_.corners[2] - body_.corners[0];
   const Vec3<double> normal = cross(ab, ac);
-  return {(1 / length_of(normal)) * normal, ab, ac, dot(ab, ab), dot(ac, ac), std::max(length_of(ab), length_of(ac))};
+  return {(1 / length_of(normal)) * normal,      ab, ac, dot(ab, ab), dot(ac, ac),
+          std::max(length_of(ab), length_of(ac))};
 }
 
 std::vector<int> candidate_nodes(const RigidBody& body, const Mesh& mesh) {

@@ -15,7 +15,9 @@ class RigidMotion {
 
   const RigidBody& body() const { return body_; }
   /// The point that shapes are relative to, at rest [m].
-  const Vec3<double>& reference() const { return body_.shape == RigidShape::plate ? body_.corners[0] : body_.origin; }
+  const Vec3<double>& reference() const {
+    return body_.shape == RigidShape::plate ? body_.corners[0] : body_.origin;
+  }
   /// How far the reference point has moved at time t [m].
   Vec3<double> shift(double t) const { return body_.motion(t) * body_.displacement; }
   double radius(double t) const { return body_.radius + body_.motion(t) * body_.radius_change; }
@@ -39,7 +41,8 @@ Vec3<R> narrowed(const Vec3<double>& a) {
 template <class R>
 void shape_at(const RigidMotion& motion, double, Plate<R>& out) {
   const Plate<double> p = motion.plate();
-  out = {narrowed<R>(p.normal), narrowed<R>(p.ab), narrowed<R>(p.ac), R(p.ab_squared), R(p.ac_squared), R(p.reach)};
+  out = {narrowed<R>(p.normal), narrowed<R>(p.ab), narrowed<R>(p.ac),
+         R(p.ab_squared),       R(p.ac_squared),   R(p.reach)};
 }
 template <class R>
 void shape_at(const RigidMotion& motion, double t, Cylinder<R>& out) {

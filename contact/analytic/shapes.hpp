@@ -13,9 +13,9 @@ struct Penetration {
   Vec3<R> out;     ///< unit, shortest way to the surface
 };
 
-/// Parallelogram a, b, c with the front along (b-a) x (c-a); Johnsen 2016, algorithm 4.3. A point behind the plane is pushed to it
-/// when its projections on both edges lie between their ends. Reference point: a. The plate has no back side, so points deeper than
-/// `reach` count as beyond it.
+/// Parallelogram a, b, c with the front along (b-a) x (c-a); Johnsen 2016, algorithm 4.3. A point behind the
+/// plane is pushed to it when its projections on both edges lie between their ends. Reference point: a. The
+/// plate has no back side, so points deeper than `reach` count as beyond it.
 template <class R>
 struct Plate {
   Vec3<R> normal, ab, ac;
@@ -24,14 +24,15 @@ struct Plate {
 
   GLISSON_HD Penetration<R> operator()(const Vec3<R>& p) const {
     const R depth = R(0) - dot(p, normal), along_ab = dot(p, ab), along_ac = dot(p, ac);
-    const bool inside = depth > R(0) && depth <= reach && along_ab >= R(0) && along_ab <= ab_squared && along_ac >= R(0) &&
-                        along_ac <= ac_squared;
+    const bool inside = depth > R(0) && depth <= reach && along_ab >= R(0) && along_ab <= ab_squared &&
+                        along_ac >= R(0) && along_ac <= ac_squared;
     return {inside ? depth : R(0), normal};
   }
 };
 
-/// Way out of a ball of radius `radius` from q relative to its centre (or, for q normal to an axis, out of a cylinder). In the middle
-/// (within a millionth of the radius, where q is rounding) every way is as short, and `side` is taken.
+/// Way out of a ball of radius `radius` from q relative to its centre (or, for q normal to an axis, out of a
+/// cylinder). In the middle (within a millionth of the radius, where q is rounding) every way is as short,
+/// and `side` is taken.
 template <class R>
 GLISSON_HD Penetration<R> out_of_circle(const Vec3<R>& q, R radius, const Vec3<R>& side) {
   const R r = square_root(dot(q, q));
@@ -46,7 +47,8 @@ GLISSON_HD Vec3<R> normal_to(const Vec3<R>& p, const Vec3<R>& axis, R along) {
   return q - dot(q, axis) * axis;
 }
 
-/// Open cylinder: pushes radially where 0 < s < length along the axis. Reference point: the start of the axis.
+/// Open cylinder: pushes radially where 0 < s < length along the axis. Reference point: the start of the
+/// axis.
 template <class R>
 struct Cylinder {
   Vec3<R> axis, side;  ///< unit; side is normal to axis
@@ -68,7 +70,8 @@ struct Probe {
   GLISSON_HD Penetration<R> operator()(const Vec3<R>& p) const {
     const R s = dot(p, axis);
     if (!(s > R(0))) return {};
-    return s < length ? out_of_circle(normal_to(p, axis, s), radius, side) : out_of_circle(p - length * axis, radius, axis);
+    return s < length ? out_of_circle(normal_to(p, axis, s), radius, side)
+                      : out_of_circle(p - length * axis, radius, axis);
   }
 };
 

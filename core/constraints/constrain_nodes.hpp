@@ -23,7 +23,8 @@ struct ConstraintView {
   const int* plane_begin;
   const PlaneProjection* planes;
 
-  /// a with the constraints of entry i: prescribed axes get sum amplitude value, in double, planes keep only the tangent.
+  /// a with the constraints of entry i: prescribed axes get sum amplitude value, in double, planes keep only
+  /// the tangent.
   template <class R>
   GLISSON_HD Vec3<R> constrain(int i, const Vec3<R>& a, const CurveValues& amplitude) const {
     const unsigned constrained = axes[i];
@@ -31,7 +32,8 @@ struct ConstraintView {
     for (int k = value_begin[i]; k < value_begin[i + 1]; ++k)
       for (int axis = 0; axis < 3; ++axis)
         if (values[k].axes & (1u << axis)) sum[axis] += amplitude[values[k].curve] * values[k].value;
-    Vec3<R> b{constrained & 1u ? R(sum[0]) : a.x, constrained & 2u ? R(sum[1]) : a.y, constrained & 4u ? R(sum[2]) : a.z};
+    Vec3<R> b{constrained & 1u ? R(sum[0]) : a.x, constrained & 2u ? R(sum[1]) : a.y,
+              constrained & 4u ? R(sum[2]) : a.z};
     for (int k = plane_begin[i]; k < plane_begin[i + 1]; ++k) {
       const Vec3<double> n = planes[k].normal, d = planes[k].direction;
       const double out = n.x * double(b.x) + n.y * double(b.y) + n.z * double(b.z);
@@ -56,7 +58,8 @@ struct ConstrainNodes {
   }
 };
 
-/// a <- its part in the free directions: residual forces without reactions, velocities that the constraints allow.
+/// a <- its part in the free directions: residual forces without reactions, velocities that the constraints
+/// allow.
 template <class R>
 struct ProjectNodes {
   ConstraintView list;
@@ -68,8 +71,8 @@ struct ProjectNodes {
   }
 };
 
-/// Reaction that makes the stepper itself arrive at the constrained velocity: r = (v_c - v_free) / (kick / m), where v_free is what
-/// the stepper would give without it. A massless node just has its force cancelled.
+/// Reaction that makes the stepper itself arrive at the constrained velocity: r = (v_c - v_free) / (kick /
+/// m), where v_free is what the stepper would give without it. A massless node just has its force cancelled.
 template <class R, class Stepper>
 struct Reaction : LastForces<R> {
   ConstraintView list;

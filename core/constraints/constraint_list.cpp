@@ -21,8 +21,8 @@ class CurveIndex {
  public:
   explicit CurveIndex(std::vector<LoadCurve>& curves) : curves_(curves) {}
   int of(const LoadCurve& c) {
-    const auto [place, is_new] =
-        index_.try_emplace({c.shape, c.start, c.end, c.release_after_end, c.table}, static_cast<int>(curves_.size()));
+    const auto [place, is_new] = index_.try_emplace({c.shape, c.start, c.end, c.release_after_end, c.table},
+                                                    static_cast<int>(curves_.size()));
     if (is_new) curves_.push_back(c);
     return place->second;
   }
@@ -47,7 +47,8 @@ std::vector<PlaneProjection> projections(const NodeConstraints& node) {
   std::vector<PlaneProjection> result;
   std::vector<Vec3<double>> units;
   for (const auto& normal : node.normals) {
-    Vec3<double> d{node.axes & 1u ? 0 : normal.x, node.axes & 2u ? 0 : normal.y, node.axes & 4u ? 0 : normal.z};
+    Vec3<double> d{node.axes & 1u ? 0 : normal.x, node.axes & 2u ? 0 : normal.y,
+                   node.axes & 4u ? 0 : normal.z};
     for (const auto& before : units) d = d - dot(d, before) * before;
     const double length = std::sqrt(dot(d, d));
     if (length < parallel) continue;

@@ -17,14 +17,15 @@ struct PrescribedValue {
   double value = 0;  ///< at amplitude 1 [m]
 };
 
-/// Removes the part of u along `normal` by a move along `direction` = d / (n . d), which keeps the constraints that were applied
-/// before: d is the part of n in the directions that are still free.
+/// Removes the part of u along `normal` by a move along `direction` = d / (n . d), which keeps the
+/// constraints that were applied before: d is the part of n in the directions that are still free.
 struct PlaneProjection {
   Vec3<double> normal, direction;
 };
 
-/// Every constrained node once. Order of application on a node: constrained axes are zeroed, prescribed values added (they beat a
-/// Fix and add up), then planes. A plane normal that no free direction is left for is dropped.
+/// Every constrained node once. Order of application on a node: constrained axes are zeroed, prescribed
+/// values added (they beat a Fix and add up), then planes. A plane normal that no free direction is left for
+/// is dropped.
 struct ConstraintList {
   std::vector<int> nodes;        ///< internal, increasing [-]  [count]
   std::vector<unsigned> axes;    ///< fixed or prescribed axes  [count]

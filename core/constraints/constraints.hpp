@@ -1,4 +1,5 @@
-// Fixed nodes, prescribed displacements and sliding planes of a run. Include it only where a backend is instantiated.
+// Fixed nodes, prescribed displacements and sliding planes of a run. Include it only where a backend is
+// instantiated.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +9,10 @@
 
 namespace glisson {
 
-/// The stepper treats every node as free; apply() then sets the constrained nodes. With energies wanted, add_reactions() goes before the
-/// stepper: the reactions become forces like all others, so that kinetic energy and damping of the node update are those of the
-/// constrained motion and their work closes the balance.
+/// The stepper treats every node as free; apply() then sets the constrained nodes. With energies wanted,
+/// add_reactions() goes before the stepper: the reactions become forces like all others, so that kinetic
+/// energy and damping of the node update are those of the constrained motion and their work closes the
+/// balance.
 template <Backend B, class R>
 class Constraints {
  public:
@@ -19,16 +21,19 @@ class Constraints {
 
   int count() const { return count_; }
 
-  /// f += reactions of this step, and their work up to `step.t`. t_next: time of the displacement that the step leads to [s].
+  /// f += reactions of this step, and their work up to `step.t`. t_next: time of the displacement that the
+  /// step leads to [s].
   template <class Stepper>
   void add_reactions(const StepView<R>& step, double t_next, const Stepper& stepper) {
     if (count_ == 0) return;
     set_targets(t_next, step.dt);
-    work_.run(step, nodes_.get(), Reaction<R, Stepper>{{last_.get()}, view(), step.v, step.f, rates(), stepper});
+    work_.run(step, nodes_.get(),
+              Reaction<R, Stepper>{{last_.get()}, view(), step.v, step.f, rates(), stepper});
   }
 
-  /// u(t_next) = sum A(t_next) value and v = (u(t_next) - u(t)) / dt on prescribed axes, 0 on fixed ones and along plane normals.
-  /// The amplitude that was applied last counts as that of time t (0 at the start), so that a jump of a curve is a motion.
+  /// u(t_next) = sum A(t_next) value and v = (u(t_next) - u(t)) / dt on prescribed axes, 0 on fixed ones and
+  /// along plane normals. The amplitude that was applied last counts as that of time t (0 at the start), so
+  /// that a jump of a curve is a motion.
   void apply(Vec4<R>* u, Vec4<R>* v, double t_next, double dt) {
     if (count_ == 0) return;
     set_targets(t_next, dt);
@@ -62,8 +67,9 @@ class Constraints {
       : backend_(backend), count_(list.count()), curves_(std::move(list.curves)), amplitudes_(curves_.size()),
         applied_(curves_.size()), rates_(curves_.size()), nodes_(detail::upload(backend, list.nodes)),
         axes_(detail::upload(backend, list.axes)), value_begin_(detail::upload(backend, list.value_begin)),
-        plane_begin_(detail::upload(backend, list.plane_begin)), values_(detail::upload(backend, list.values)),
-        planes_(detail::upload(backend, list.planes)), many_(detail::zeros<double>(backend, 2 * curves_.size())),
+        plane_begin_(detail::upload(backend, list.plane_begin)),
+        values_(detail::upload(backend, list.values)), planes_(detail::upload(backend, list.planes)),
+        many_(detail::zeros<double>(backend, 2 * curves_.size())),
         last_(detail::zeros<Vec4<R>>(backend, std::size_t(count_))), work_(backend, count_) {}
 
   void set_targets(double t_next, double dt) {
@@ -92,7 +98,9 @@ class Constraints {
   B& backend_;
   int count_;
   std::vector<LoadCurve> curves_;
-  std::vector<double> amplitudes_, applied_, rates_;  ///< at t_next, as applied last [-], per second [1/s]  [curve_count]
+  std::vector<double> amplitudes_;  ///< at t_next [-]            [curve_count]
+  std::vector<double> applied_;     ///< as applied last [-]      [curve_count]
+  std::vector<double> rates_;       ///< between the two [1/s]    [curve_count]
   Buffer<int> nodes_;
   Buffer<unsigned> axes_;
   Buffer<int> value_begin_, plane_begin_;

@@ -8,8 +8,9 @@
 
 namespace glisson {
 
-/// Area vector N = a x b of a facet (|N| = twice its area), a and b differences of two corners: 1-0 and 2-0 of a triangle, the
-/// diagonals 2-0 and 3-1 of a quadrilateral. Differences keep the digits of float where positions would lose them.
+/// Area vector N = a x b of a facet (|N| = twice its area), a and b differences of two corners: 1-0 and 2-0
+/// of a triangle, the diagonals 2-0 and 3-1 of a quadrilateral. Differences keep the digits of float where
+/// positions would lose them.
 template <class R>
 struct LoadFacet {
   int a_from, a_to, b_from, b_to;  ///< internal nodes [-]
@@ -39,14 +40,16 @@ struct GatherFacets : LastForces<R> {
 template <Backend B, class R>
 class FacetSet {
  public:
-  FacetSet(B& backend, const std::vector<Facet>& facets, const std::vector<Vec3<double>>& X, const Numbering& numbering)
+  FacetSet(B& backend, const std::vector<Facet>& facets, const std::vector<Vec3<double>>& X,
+           const Numbering& numbering)
       : facet_count_(static_cast<int>(facets.size())) {
     std::vector<LoadFacet<R>> local;
     std::map<int, std::vector<int>> facets_of_node;
     for (const Facet& facet : facets) {
       local.push_back(make(facet, X, numbering));
       for (int c = 0; c < facet.node_count(); ++c)
-        facets_of_node[detail::internal_node(numbering, facet.nodes[std::size_t(c)])].push_back(int(local.size()) - 1);
+        facets_of_node[detail::internal_node(numbering, facet.nodes[std::size_t(c)])].push_back(
+            int(local.size()) - 1);
     }
     std::vector<int> begin{0}, list;
     for (const auto& [node, its_facets] : facets_of_node) {
@@ -71,14 +74,22 @@ class FacetSet {
   GatherFacets<R> gather() const { return {{last_.get()}, begin_.get(), list_.get(), forces_.get()}; }
 
  private:
-  static LoadFacet<R> make(const Facet& facet, const std::vector<Vec3<double>>& X, const Numbering& numbering) {
+  static LoadFacet<R> make(const Facet& facet, const std::vector<Vec3<double>>& X,
+                           const Numbering& numbering) {
     const bool quad = facet.node_count() == 4;
-    const int ends[4] = {facet.nodes[0], facet.nodes[quad ? 2 : 1], facet.nodes[quad ? 1 : 0], facet.nodes[quad ? 3 : 2]};
+    const int ends[4] = {facet.nodes[0], facet.nodes[quad ? 2 : 1], facet.nodes[quad ? 1 : 0],
+                         facet.nodes[quad ? 3 : 2]};
     int n[4];
     for (int k = 0; k < 4; ++k) n[k] = detail::internal_node(numbering, ends[k]);
     const auto at = [&](int k) { return X[std::size_t(ends[k])]; };
     const auto a = at(1) - at(0), b = at(3) - at(2);
-    return {n[0], n[1], n[2], n[3], {R(a.x), R(a.y), R(a.z)}, {R(b.x), R(b.y), R(b.z)}, R(quad ? 1.0 / 8 : 1.0 / 6)};
+    return {n[0],
+            n[1],
+            n[2],
+            n[3],
+            {R(a.x), R(a.y), R(a.z)},
+            {R(b.x), R(b.y), R(b.z)},
+            R(quad ? 1.0 / 8 : 1.0 / 6)};
   }
 
   int facet_count_, node_count_ = 0;

@@ -1,4 +1,5 @@
-// Weight of nodes, f = A(t) m g. The mass comes from the caller and is not the one that mass scaling may have raised.
+// Weight of nodes, f = A(t) m g. The mass comes from the caller and is not the one that mass scaling may have
+// raised.
 #pragma once
 
 #include <glisson/core/loads/list_forces.hpp>
@@ -8,7 +9,7 @@ namespace glisson {
 
 template <class R>
 struct Weight {
-  const R* mass;  ///< [kg]  [entry_count]
+  const R* mass;        ///< [kg]  [entry_count]
   Vec3<R> g, g_before;  ///< A g now and at the last step [m/s^2]
 
   GLISSON_HD Vec3<R> force(int i, int) const { return mass[i] * g; }
@@ -28,7 +29,8 @@ class GravityLoad final : public ForceProvider<R> {
   Space space() const override { return B::space; }
   void add_forces(const StepView<R>& step) override {
     const double amplitude = curve_(step.t);
-    work_.run(step, everywhere_ ? nullptr : nodes_.get(), Weight<R>{mass_.get(), times(amplitude), times(amplitude_before_)});
+    work_.run(step, everywhere_ ? nullptr : nodes_.get(),
+              Weight<R>{mass_.get(), times(amplitude), times(amplitude_before_)});
     if (step.advance) amplitude_before_ = amplitude * work_.share(step);
   }
   double work() const override { return work_.total(); }
@@ -48,7 +50,8 @@ class GravityLoad final : public ForceProvider<R> {
   using Entries = std::map<int, double>;  ///< how often a node is listed [-]
   static Entries entries_of(const Gravity& load, const Numbering& numbering) {
     return detail::by_node<double>(
-        numbering, load.nodes, [](std::size_t) { return 1.0; }, [](double& sum, double more) { sum += more; });
+        numbering, load.nodes, [](std::size_t) { return 1.0; },
+        [](double& sum, double more) { sum += more; });
   }
   static std::vector<R> masses(const Entries& entries, std::span<const double> mass) {
     std::vector<R> result;
@@ -59,7 +62,8 @@ class GravityLoad final : public ForceProvider<R> {
   }
   GravityLoad(B& backend, const Gravity& load, const Entries& entries, std::span<const double> mass)
       : curve_(load.curve), acceleration_(load.acceleration), everywhere_(entries.empty()),
-        nodes_(detail::upload(backend, detail::keys(entries))), mass_(detail::upload(backend, masses(entries, mass))),
+        nodes_(detail::upload(backend, detail::keys(entries))),
+        mass_(detail::upload(backend, masses(entries, mass))),
         work_(backend, static_cast<int>(everywhere_ ? mass.size() : entries.size())) {}
 
   Vec3<R> times(double amplitude) const {

@@ -1,4 +1,5 @@
-// The common tail of all loads: add a force to each node of a list and, when energies are wanted, count the work it does.
+// The common tail of all loads: add a force to each node of a list and, when energies are wanted, count the
+// work it does.
 #pragma once
 
 #include <vector>
@@ -15,7 +16,8 @@ GLISSON_HD Vec3<R> xyz(const Vec4<R>& a) {
 
 constexpr int entries_per_sum = 16;  ///< small, so that short lists still make enough bodies for a team
 
-/// f[n] += rule.force(i, n) for entry i of a list. A node occurs once in a list. nodes = nullptr: entry i is node i.
+/// f[n] += rule.force(i, n) for entry i of a list. A node occurs once in a list. nodes = nullptr: entry i is
+/// node i.
 template <class R, class Rule>
 struct AddForces {
   Rule rule;
@@ -32,7 +34,8 @@ struct AddForces {
   GLISSON_HD void operator()(int i) const { add(i); }
 };
 
-/// The same over chunks of entries, with the work of the step that ended now, (g(n-1) + g(n))/2 . dt v(n-1/2), in double.
+/// The same over chunks of entries, with the work of the step that ended now, (g(n-1) + g(n))/2 . dt
+/// v(n-1/2), in double.
 template <class R, class Rule>
 struct AddForcesWithWork {
   static constexpr int chunk = entries_per_sum;
@@ -50,7 +53,8 @@ struct AddForcesWithWork {
       const int n = forces.node(i);
       const Vec3<R> before = forces.rule.before(i, n);
       const Vec3<R> g = forces.add(i);
-      sum += (double(before.x) + double(g.x)) * double(v[n].x) + (double(before.y) + double(g.y)) * double(v[n].y) +
+      sum += (double(before.x) + double(g.x)) * double(v[n].x) +
+             (double(before.y) + double(g.y)) * double(v[n].y) +
              (double(before.z) + double(g.z)) * double(v[n].z);
       forces.rule.remember(i, share * g);
     }
@@ -66,14 +70,15 @@ struct LastForces {
   GLISSON_HD void remember(int i, const Vec3<R>& g) const { last[i] = {g.x, g.y, g.z, R(0)}; }
 };
 
-/// Work of one list of forces since the start. The central difference keeps KE(n) = sum m v(n-1/2).v(n+1/2)/2 in balance with the
-/// trapezoidal work (g(n-1) + g(n))/2 . (u(n) - u(n-1)) of all forces. The velocity starts at t = 0, half a step before v(1/2):
-/// the force of step 0 acts for half a step only and counts half.
+/// Work of one list of forces since the start. The central difference keeps KE(n) = sum m v(n-1/2).v(n+1/2)/2
+/// in balance with the trapezoidal work (g(n-1) + g(n))/2 . (u(n) - u(n-1)) of all forces. The velocity
+/// starts at t = 0, half a step before v(1/2): the force of step 0 acts for half a step only and counts half.
 template <Backend B, class R>
 class ListWork {
  public:
   ListWork(B& backend, int entry_count)
-      : backend_(backend), entry_count_(entry_count), chunk_count_((entry_count + entries_per_sum - 1) / entries_per_sum),
+      : backend_(backend), entry_count_(entry_count),
+        chunk_count_((entry_count + entries_per_sum - 1) / entries_per_sum),
         chunks_(detail::zeros<double>(backend, std::size_t(chunk_count_))) {}
 
   /// Adds the rule's forces; counts work when the step asks for it.
@@ -83,7 +88,7 @@ class ListWork {
     const AddForces<R, Rule> forces{rule, nodes, step.f};
     if (counts(step))
       backend_.for_each(chunk_count_, AddForcesWithWork<R, Rule>{forces, step.v, chunks_.get(), entry_count_,
-                                                                half_dt(), R(share(step))});
+                                                                 half_dt(), R(share(step))});
     else
       backend_.for_each(entry_count_, forces);
     finish(step);

@@ -12,13 +12,15 @@
 
 namespace glisson {
 
-/// mass: weight-giving mass in internal order, without what mass scaling added [kg]  [node_count]. The backend must outlive the
-/// result; the model need not.
+/// mass: weight-giving mass in internal order, without what mass scaling added [kg]  [node_count]. The
+/// backend must outlive the result; the model need not.
 template <Backend B, class R>
-std::vector<std::unique_ptr<ForceProvider<R>>> make_loads(B& backend, const Model& model, const Numbering& numbering,
+std::vector<std::unique_ptr<ForceProvider<R>>> make_loads(B& backend, const Model& model,
+                                                          const Numbering& numbering,
                                                           std::span<const double> mass) {
   std::vector<std::unique_ptr<ForceProvider<R>>> loads;
-  for (const auto& load : model.forces) loads.push_back(std::make_unique<NodalForces<B, R>>(backend, load, numbering));
+  for (const auto& load : model.forces)
+    loads.push_back(std::make_unique<NodalForces<B, R>>(backend, load, numbering));
   for (const auto& load : model.gravity)
     loads.push_back(std::make_unique<GravityLoad<B, R>>(backend, load, numbering, mass));
   for (const auto& load : model.pressures)

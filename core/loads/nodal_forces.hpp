@@ -49,7 +49,8 @@ class NodalForces final : public ForceProvider<R> {
     return detail::by_node<Vec3<double>>(
         numbering, load.nodes,
         [&](std::size_t k) {
-          return detail::on_axes(load.axes, detail::value_of(load.values, k, load.nodes.size(), "force values"));
+          return detail::on_axes(load.axes,
+                                 detail::value_of(load.values, k, load.nodes.size(), "force values"));
         },
         [](Vec3<double>& sum, const Vec3<double>& more) { sum = sum + more; });
   }
@@ -60,7 +61,8 @@ class NodalForces final : public ForceProvider<R> {
   }
   NodalForces(B& backend, LoadCurve curve, const Entries& entries)
       : curve_(std::move(curve)), nodes_(detail::upload(backend, detail::keys(entries))),
-        values_(detail::upload(backend, values_of(entries))), work_(backend, static_cast<int>(entries.size())) {}
+        values_(detail::upload(backend, values_of(entries))),
+        work_(backend, static_cast<int>(entries.size())) {}
 
   LoadCurve curve_;
   Buffer<int> nodes_;

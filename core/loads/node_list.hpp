@@ -13,8 +13,9 @@ namespace glisson::detail {
 
 inline int internal_node(const Numbering& numbering, int user_node) {
   if (user_node < 0 || std::size_t(user_node) >= numbering.internal_of_user.size())
-    throw Error(ErrorKind::input, "Node " + std::to_string(user_node) + " does not exist: the mesh has nodes 0 to " +
-                                      std::to_string(int(numbering.internal_of_user.size()) - 1) + ". Correct the list.");
+    throw Error(ErrorKind::input,
+                "Node " + std::to_string(user_node) + " does not exist: the mesh has nodes 0 to " +
+                    std::to_string(int(numbering.internal_of_user.size()) - 1) + ". Correct the list.");
   return numbering.internal_of_user[std::size_t(user_node)];
 }
 
@@ -22,8 +23,8 @@ inline int internal_node(const Numbering& numbering, int user_node) {
 template <class T>
 const T& value_of(const std::vector<T>& values, std::size_t k, std::size_t count, const char* what) {
   if (values.size() != 1 && values.size() != count)
-    throw Error(ErrorKind::input, std::to_string(values.size()) + " " + what + " for " + std::to_string(count) +
-                                      " entries: give one for all or one each.");
+    throw Error(ErrorKind::input, std::to_string(values.size()) + " " + what + " for " +
+                                      std::to_string(count) + " entries: give one for all or one each.");
   return values[values.size() == 1 ? 0 : k];
 }
 

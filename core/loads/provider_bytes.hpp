@@ -16,10 +16,7 @@ namespace glisson::detail {
 class ByteWriter {
  public:
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  ByteWriter& value(const T& v) {
-    return array(&v, 1);
-  }
+  requires std::is_trivially_copyable_v<T> ByteWriter& value(const T& v) { return array(&v, 1); }
   template <class B, class T>
   ByteWriter& buffer(B& backend, const Buffer<T>& buffer, std::size_t count) {
     std::vector<T> host(count);
@@ -44,10 +41,8 @@ class ByteReader {
   ByteReader(std::span<const std::byte> bytes, std::string owner) : bytes_(bytes), owner_(std::move(owner)) {}
 
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void value(T& v) {
-    array(&v, 1);
-  }
+  requires std::is_trivially_copyable_v<T>
+  void value(T& v) { array(&v, 1); }
   template <class B, class T>
   void buffer(B& backend, const Buffer<T>& buffer, std::size_t count) {
     std::vector<T> host(count);

@@ -13,8 +13,9 @@ namespace glisson {
 /// f = k(t) (u_target(t) - u), Johnsen 2016, eq. 3.14.
 template <class R>
 struct SpringForce : LastForces<R> {
-  const Vec4<R>* springs;  ///< xyz: target at amplitude 1 [m]; w: stiffness at amplitude 1 [N/m]  [entry_count]
-  const Vec4<R>* u;        ///< displacement [m]  [node_count]
+  const Vec4<R>*
+      springs;       ///< xyz: target at amplitude 1 [m]; w: stiffness at amplitude 1 [N/m]  [entry_count]
+  const Vec4<R>* u;  ///< displacement [m]  [node_count]
   R stiffness_amplitude, target_amplitude;
 
   GLISSON_HD Vec3<R> force(int i, int n) const {
@@ -68,7 +69,8 @@ class SpringLoad final : public ForceProvider<R> {
   static Entries entries_of(const Springs& load, const Numbering& numbering) {
     const auto make = [&](std::size_t k) {
       const double stiffness = detail::value_of(load.stiffness, k, load.nodes.size(), "spring stiffnesses");
-      return Spring{stiffness, stiffness * detail::value_of(load.targets, k, load.nodes.size(), "spring targets")};
+      return Spring{stiffness,
+                    stiffness * detail::value_of(load.targets, k, load.nodes.size(), "spring targets")};
     };
     return detail::by_node<Spring>(numbering, load.nodes, make, [](Spring& sum, const Spring& more) {
       sum = {sum.stiffness + more.stiffness, sum.pull + more.pull};
@@ -83,7 +85,8 @@ class SpringLoad final : public ForceProvider<R> {
     }
     return result;
   }
-  /// 2 sqrt(m / k) for the stiffest spring; the frequency of the elements adds: 1/dt^2 >= 1/dt_el^2 + 1/dt_spring^2.
+  /// 2 sqrt(m / k) for the stiffest spring; the frequency of the elements adds: 1/dt^2 >= 1/dt_el^2 +
+  /// 1/dt_spring^2.
   static double stable_step_of(const LoadCurve& curve, const Entries& entries, std::span<const double> mass) {
     double amplitude = 1, ratio = 0;
     if (curve.shape == LoadShape::table) {
@@ -97,8 +100,9 @@ class SpringLoad final : public ForceProvider<R> {
   SpringLoad(B& backend, const Springs& load, const Entries& entries, std::span<const double> mass)
       : backend_(backend), curve_(load.curve), target_curve_(load.target_curve), cap_(load.strain_energy_cap),
         count_(entries.size()), nodes_(detail::upload(backend, detail::keys(entries))),
-        springs_(detail::upload(backend, springs_of(entries))), last_(detail::zeros<Vec4<R>>(backend, count_)),
-        work_(backend, static_cast<int>(count_)), stable_step_(stable_step_of(curve_, entries, mass)) {}
+        springs_(detail::upload(backend, springs_of(entries))),
+        last_(detail::zeros<Vec4<R>>(backend, count_)), work_(backend, static_cast<int>(count_)),
+        stable_step_(stable_step_of(curve_, entries, mass)) {}
 
   B& backend_;
   LoadCurve curve_, target_curve_;

@@ -6,7 +6,8 @@
 
 namespace glisson {
 
-/// f = -p N / (2 corners), N = area vector of the current facet: positive pressure pushes against the outward normal.
+/// f = -p N / (2 corners), N = area vector of the current facet: positive pressure pushes against the outward
+/// normal.
 template <class R>
 struct PressureOnFacets {
   const LoadFacet<R>* facets;  ///< [facet_count]
@@ -64,7 +65,8 @@ class SurfaceLoad : public ForceProvider<R> {
   }
 
  protected:
-  SurfaceLoad(B& backend, const std::vector<Facet>& facets, LoadCurve curve, const Mesh& mesh, const Numbering& numbering)
+  SurfaceLoad(B& backend, const std::vector<Facet>& facets, LoadCurve curve, const Mesh& mesh,
+              const Numbering& numbering)
       : backend_(backend), curve_(std::move(curve)), facets_(backend, facets, mesh.X, numbering),
         work_(backend, facets_.node_count()) {}
   /// Writes the forces on the corners of all facets.
@@ -107,8 +109,8 @@ class TractionLoad final : public SurfaceLoad<B, R> {
  private:
   void evaluate(const StepView<R>& step, double amplitude) override {
     this->backend_.for_each(this->facets_.facet_count(),
-                            TractionOnFacets<R>{this->facets_.facets(), step.u, this->facets_.forces(), values_.get(),
-                                                R(amplitude)});
+                            TractionOnFacets<R>{this->facets_.facets(), step.u, this->facets_.forces(),
+                                                values_.get(), R(amplitude)});
   }
   Buffer<Vec4<R>> values_;
 };

@@ -53,7 +53,8 @@ RigidBody pressing_plate() {  // front along -z, comes down from z = 1 to z = 0.
 
 TYPED_TEST(RigidContacts, NodesEndEachStepOnTheMovingPlate) {
   Model model;
-  model.mesh.X = {{1, 1, 0.97}, {2, 1, 0.2}, {5, 1, 0.97}, {1, 2, 0.97}};  // touched, too low, beside it, not listed
+  model.mesh.X = {
+      {1, 1, 0.97}, {2, 1, 0.2}, {5, 1, 0.97}, {1, 2, 0.97}};  // touched, too low, beside it, not listed
   model.bodies = {pressing_plate()};
   Scene<TypeParam> scene(model, 0.125);
   const double eps = 4 * scene.bench.tolerance();

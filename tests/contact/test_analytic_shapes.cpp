@@ -37,8 +37,14 @@ TEST(PlateShape, PushesToItsFrontWithinItsBounds) {
   expect_out(plate({0.5, 0.5, -0.1}), 0.1, {0, 0, 1});
   expect_out(plate({0, 0, -0.1}), 0.1, {0, 0, 1});  // at a corner and on the far edges: still on it
   expect_out(plate({2, 1, -0.1}), 0.1, {0, 0, 1});
-  for (const Vec3<double>& p : {Vec3<double>{0.5, 0.5, 0.1}, {0.5, 0.5, 0}, {-0.01, 0.5, -0.1}, {2.01, 0.5, -0.1},
-                                {0.5, -0.01, -0.1}, {0.5, 1.01, -0.1}, {0.5, 0.5, -2.01}, {nan, 0, -0.1}})
+  for (const Vec3<double>& p : {Vec3<double>{0.5, 0.5, 0.1},
+                                {0.5, 0.5, 0},
+                                {-0.01, 0.5, -0.1},
+                                {2.01, 0.5, -0.1},
+                                {0.5, -0.01, -0.1},
+                                {0.5, 1.01, -0.1},
+                                {0.5, 0.5, -2.01},
+                                {nan, 0, -0.1}})
     EXPECT_LE(plate(p).depth, 0);
 }
 
@@ -47,13 +53,19 @@ TEST(CylinderShape, PushesRadiallyBetweenItsEnds) {
   const auto cylinder = motion.cylinder(0);
   expect_out(cylinder({0.25, 0, 1}), 0.75, {1, 0, 0});
   expect_out(cylinder({0, -0.5, 2.99}), 0.5, {0, -1, 0});
-  for (const Vec3<double>& p :
-       {Vec3<double>{0.5, 0, 0}, {0.5, 0, 3}, {0.5, 0, -0.1}, {0.5, 0, 3.1}, {1, 0, 1}, {2, 0, 1}, {0.1, nan, 1}})
+  for (const Vec3<double>& p : {Vec3<double>{0.5, 0, 0},
+                                {0.5, 0, 3},
+                                {0.5, 0, -0.1},
+                                {0.5, 0, 3.1},
+                                {1, 0, 1},
+                                {2, 0, 1},
+                                {0.1, nan, 1}})
     EXPECT_FALSE(cylinder(p).depth > 0);
 }
 
 TEST(CylinderShape, ANodeOnTheAxisGoesSideways) {
-  for (const Vec3<double>& axis : {Vec3<double>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -1, 1}, {1e-20, 0, 1e-20}}) {
+  for (const Vec3<double>& axis :
+       {Vec3<double>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -1, 1}, {1e-20, 0, 1e-20}}) {
     const auto cylinder = RigidMotion(cylinder_body(axis)).cylinder(0);
     const auto p = cylinder(1.5 * cylinder.axis);
     EXPECT_NEAR(p.depth, 1, 1e-12);

@@ -1,4 +1,5 @@
-// A bench for providers: nodes with u and v on any backend, forces back on the host, and a time loop for free particles.
+// A bench for providers: nodes with u and v on any backend, forces back on the host, and a time loop for free
+// particles.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -80,9 +81,10 @@ class Bench {
 
  public:
   explicit Bench(int count, double mass = 1)
-      : numbering(shuffled_numbering(count)), masses(std::size_t(count), mass), u(std::size_t(count)), v(u), f(u),
-        u_(detail::zeros<Vec4<R>>(backend, u.size())), v_(detail::zeros<Vec4<R>>(backend, u.size())),
-        f_(detail::zeros<Vec4<R>>(backend, u.size())), predicted_(detail::zeros<Vec4<R>>(backend, u.size())) {}
+      : numbering(shuffled_numbering(count)), masses(std::size_t(count), mass), u(std::size_t(count)), v(u),
+        f(u), u_(detail::zeros<Vec4<R>>(backend, u.size())), v_(detail::zeros<Vec4<R>>(backend, u.size())),
+        f_(detail::zeros<Vec4<R>>(backend, u.size())), predicted_(detail::zeros<Vec4<R>>(backend, u.size())) {
+  }
 
   /// The step that the device would see for the host's u and v; f starts at 0.
   StepView<R> view(double t, double dt) {
@@ -144,8 +146,8 @@ class Bench {
 
   B backend;
   Numbering numbering;
-  std::vector<double> masses;            ///< [kg]
-  std::vector<Vec3<double>> u, v, f;     ///< user's numbering
+  std::vector<double> masses;         ///< [kg]
+  std::vector<Vec3<double>> u, v, f;  ///< user's numbering
   std::int64_t step_count = 0;
 
  private:

@@ -107,14 +107,14 @@ TYPED_TEST(ConstraintBench, PlanesFixesAndValuesHoldTogether) {
   const double eps = 20 * bench.tolerance();
   EXPECT_NEAR(dot(bench.u[0], n), 0, eps);
   EXPECT_NEAR(dot(bench.u[0], m), 0, eps);
-  EXPECT_GT(dot(bench.u[0], bench.u[0]), 1);          // it still slides along both
-  expect_near(bench.u[1], {0.5, -0.375, 5}, eps);     // prescribed, and on the plane
-  expect_near(bench.u[2], {}, eps);                   // no direction left
+  EXPECT_GT(dot(bench.u[0], bench.u[0]), 1);       // it still slides along both
+  expect_near(bench.u[1], {0.5, -0.375, 5}, eps);  // prescribed, and on the plane
+  expect_near(bench.u[2], {}, eps);                // no direction left
   expect_near(bench.u[3], {}, eps);
 }
 
-/// Two masses, one pulled by a prescribed motion through a spring: the energies of the moving mass balance with the work of
-/// the reaction at every step, jump of the velocity at the start included.
+/// Two masses, one pulled by a prescribed motion through a spring: the energies of the moving mass balance
+/// with the work of the reaction at every step, jump of the velocity at the start included.
 template <class C>
 void check_reaction_work(const Model& model, bool restart) {
   using B = BackendOf<C>;
@@ -144,7 +144,8 @@ void check_reaction_work(const Model& model, bool restart) {
     constraints->apply(bench.device_u(), bench.device_v(), (n + 1) * dt, dt);
     bench.get(bench.device_u(), bench.u);
     bench.get(bench.device_v(), bench.v);
-    for (int i = 0; i < 2; ++i) expect_near(bench.u[i], unconstrained[i], 100 * bench.tolerance());  // the reaction did it all
+    for (int i = 0; i < 2; ++i)
+      expect_near(bench.u[i], unconstrained[i], 100 * bench.tolerance());  // the reaction did it all
     const double kinetic = 0.5 * m * (dot(before[0], bench.v[0]) + dot(before[1], bench.v[1]));
     EXPECT_NEAR(kinetic + strain_energy - start, constraints->work(), 1000 * bench.tolerance()) << n;
   }
@@ -154,8 +155,7 @@ void check_reaction_work(const Model& model, bool restart) {
 TYPED_TEST(ConstraintBench, ReactionWorkClosesTheEnergyBalance) {
   Model model;
   model.displacements = {{{0}, all_axes, {1}, ramp}};
-  for (const bool restart : {false, true})
-    check_reaction_work<TypeParam>(model, restart);
+  for (const bool restart : {false, true}) check_reaction_work<TypeParam>(model, restart);
   model.displacements.push_back({{0}, 2u, {-0.5}, {LoadShape::poly345, 0.5, 3}});
   model.planes = {{{1}, {1, 0, 1}}};
   check_reaction_work<TypeParam>(model, false);

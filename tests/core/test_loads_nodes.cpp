@@ -14,7 +14,8 @@ TYPED_TEST_SUITE(NodeLoads, BenchCases);
 
 TYPED_TEST(NodeLoads, ForceActsOnItsAxesOnly) {
   Bench<TypeParam> bench(10);
-  NodalForces<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{1, 4, 4}, 5u, {2, 3, 5}, always}, bench.numbering);
+  NodalForces<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{1, 4, 4}, 5u, {2, 3, 5}, always},
+                                                            bench.numbering);
   const auto& f = bench.forces(load);
   for (int n = 0; n < 10; ++n) {
     const double expected = n == 1 ? 2 : n == 4 ? 8 : 0;
@@ -40,8 +41,10 @@ TYPED_TEST(NodeLoads, GravityIsMassTimesAcceleration) {
   std::vector<double> internal(10, 0.25);
   internal[std::size_t(bench.numbering.internal_of_user[3])] = 2;
   const Vec3<double> g{0.5, 0, -9.81};
-  GravityLoad<BackendOf<TypeParam>, RealOf<TypeParam>> all(bench.backend, {{}, g, always}, bench.numbering, internal);
-  GravityLoad<BackendOf<TypeParam>, RealOf<TypeParam>> some(bench.backend, {{3, 5}, g, always}, bench.numbering, internal);
+  GravityLoad<BackendOf<TypeParam>, RealOf<TypeParam>> all(bench.backend, {{}, g, always}, bench.numbering,
+                                                           internal);
+  GravityLoad<BackendOf<TypeParam>, RealOf<TypeParam>> some(bench.backend, {{3, 5}, g, always},
+                                                            bench.numbering, internal);
   expect_near(sum_of(bench.forces(all)), 4.25 * g, 45 * bench.tolerance());
   expect_near(bench.forces(some)[3], 2.0 * g, 20 * bench.tolerance());
   expect_near(bench.f[4], {}, 0);
@@ -49,8 +52,10 @@ TYPED_TEST(NodeLoads, GravityIsMassTimesAcceleration) {
 
 TYPED_TEST(NodeLoads, SpringPullsToItsMovingTarget) {
   Bench<TypeParam> bench(3, 0.5);
-  Springs springs{{0, 2}, {{1, 0, 0}, {0, 2, 0}}, {8, 16}, {LoadShape::ramp, 0, 2}, {LoadShape::ramp, 0, 4}, {}};
-  SpringLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, springs, bench.numbering, bench.masses);
+  Springs springs{{0, 2}, {{1, 0, 0}, {0, 2, 0}}, {8, 16}, {LoadShape::ramp, 0, 2}, {LoadShape::ramp, 0, 4},
+                  {}};
+  SpringLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, springs, bench.numbering,
+                                                           bench.masses);
   bench.u[0] = {0.125, 0, 0.5};
   const auto& f = bench.forces(load, 1);  // k amplitude 1/2, target amplitude 1/4
   expect_near(f[0], {4 * (0.25 - 0.125), 0, -2}, 0);
@@ -61,7 +66,8 @@ TYPED_TEST(NodeLoads, SpringPullsToItsMovingTarget) {
 TYPED_TEST(NodeLoads, SpringsOnOneNodeActTogether) {
   Bench<TypeParam> bench(3);
   Springs springs{{1, 1}, {{1, 0, 0}, {-1, 0, 0}}, {3, 1}, always, always, {}};
-  SpringLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, springs, bench.numbering, bench.masses);
+  SpringLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, springs, bench.numbering,
+                                                           bench.masses);
   bench.u[1] = {0.25, 0, 0};
   expect_near(bench.forces(load)[1], {3 * 0.75 - 1.25, 0, 0}, 0);
 }
@@ -69,7 +75,8 @@ TYPED_TEST(NodeLoads, SpringsOnOneNodeActTogether) {
 TYPED_TEST(NodeLoads, SpringStiffnessFreezesAboveTheStrainEnergyCap) {
   Bench<TypeParam> bench(1);
   Springs springs{{0}, {{1, 0, 0}}, {4}, {LoadShape::ramp, 0, 4}, always, 10.0};
-  SpringLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, springs, bench.numbering, bench.masses);
+  SpringLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, springs, bench.numbering,
+                                                           bench.masses);
   const auto pull = [&](double t, double strain_energy, bool advance = true) {
     auto step = bench.view(t, 1);
     step.strain_energy = strain_energy;
@@ -80,19 +87,22 @@ TYPED_TEST(NodeLoads, SpringStiffnessFreezesAboveTheStrainEnergyCap) {
   EXPECT_DOUBLE_EQ(pull(3, 5, false), 3);  // an evaluation on the side
   EXPECT_DOUBLE_EQ(pull(2, 10), 1);        // leaves no trace: the last step's value is kept
   const auto saved = load.save();
-  SpringLoad<BackendOf<TypeParam>, RealOf<TypeParam>> resumed(bench.backend, springs, bench.numbering, bench.masses);
+  SpringLoad<BackendOf<TypeParam>, RealOf<TypeParam>> resumed(bench.backend, springs, bench.numbering,
+                                                              bench.masses);
   resumed.load(saved);
   EXPECT_DOUBLE_EQ(resumed.stiffness_amplitude(), 0.25);
   EXPECT_DOUBLE_EQ(pull(3, 11), 1);
   EXPECT_DOUBLE_EQ(pull(3, 9.9), 3);
 }
 
-/// Constant acceleration from rest: W = F u exactly at every step but for the half weight of step 0, F dt^2 / (8 m) of path.
+/// Constant acceleration from rest: W = F u exactly at every step but for the half weight of step 0, F dt^2 /
+/// (8 m) of path.
 TYPED_TEST(NodeLoads, WorkOfAConstantForceIsForceTimesPath) {
   const double mass = 2, dt = 0.125;
   const Vec3<double> g{0, 3, -4};
   Bench<TypeParam> bench(1, mass);
-  GravityLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{}, g, always}, bench.numbering, bench.masses);
+  GravityLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{}, g, always}, bench.numbering,
+                                                            bench.masses);
   for (int n = 0; n < 40; ++n) {
     bench.forces(load, bench.view(n * dt, dt));
     bench.advance(dt);
@@ -103,7 +113,8 @@ TYPED_TEST(NodeLoads, WorkOfAConstantForceIsForceTimesPath) {
   const double t = 40 * dt, path = 5 * t * t / 2;
   auto last = bench.view(t, dt);
   load.add_forces(last);
-  EXPECT_NEAR(load.work(), mass * 5 * (path - 5 * dt * dt / 8), 1e-5 * mass * 5 * path * (sizeof(RealOf<TypeParam>) == 4 ? 1 : 1e-6));
+  EXPECT_NEAR(load.work(), mass * 5 * (path - 5 * dt * dt / 8),
+              1e-5 * mass * 5 * path * (sizeof(RealOf<TypeParam>) == 4 ? 1 : 1e-6));
 }
 
 /// An oscillator: KE(n) = m v(n-1/2).v(n+1/2)/2 changes by exactly the work of the spring.
@@ -111,7 +122,8 @@ TYPED_TEST(NodeLoads, WorkOfASpringBalancesTheKineticEnergy) {
   const double dt = 0.2;
   Bench<TypeParam> bench(1, 3);
   Springs springs{{0}, {{1, 2, -1}}, {5}, {LoadShape::ramp, 0, 10}, always, {}};
-  SpringLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, springs, bench.numbering, bench.masses);
+  SpringLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, springs, bench.numbering,
+                                                           bench.masses);
   for (int n = 0; n < 60; ++n) {
     bench.forces(load, bench.view(n * dt, dt));
     const auto before = bench.v[0];
@@ -130,7 +142,8 @@ TYPED_TEST(NodeLoads, RestartGivesTheSameBits) {
   model.gravity.push_back({{}, {1, 2, 3}, {LoadShape::poly345, 0, 1}});
   model.springs.push_back({nodes, {{0.1, 0, 0}}, {2}, {}, {}, {}});
   const auto make = [&] {
-    return make_loads<BackendOf<TypeParam>, RealOf<TypeParam>>(bench.backend, model, bench.numbering, bench.masses);
+    return make_loads<BackendOf<TypeParam>, RealOf<TypeParam>>(bench.backend, model, bench.numbering,
+                                                               bench.masses);
   };
   auto loads = make(), resumed = make();
   const auto run = [&](auto& list, int from, int to) {

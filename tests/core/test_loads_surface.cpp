@@ -8,11 +8,14 @@ namespace {
 
 const LoadCurve always{LoadShape::step};
 
-/// Unit cube at `corner`: node i has the bits of i as coordinates; 6 quadrilaterals outward, and the same as 12 triangles.
+/// Unit cube at `corner`: node i has the bits of i as coordinates; 6 quadrilaterals outward, and the same as
+/// 12 triangles.
 struct Cube {
   explicit Cube(Vec3<double> corner = {}) {
-    for (int i = 0; i < 8; ++i) mesh.X.push_back(corner + Vec3<double>{double(i & 1), double(i >> 1 & 1), double(i >> 2)});
-    const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (int i = 0; i < 8; ++i)
+      mesh.X.push_back(corner + Vec3<double>{double(i & 1), double(i >> 1 & 1), double(i >> 2)});
+    const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                             {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (const auto& n : faces) {
       quads.push_back({{n[0], n[1], n[2], n[3]}});
       triangles.push_back({{n[0], n[1], n[2], -1}});
@@ -44,7 +47,8 @@ TYPED_TEST(SurfaceLoads, PressureOnAClosedSurfaceHasNoResultant) {
   const Cube cube;
   for (const auto& facets : {cube.quads, cube.triangles}) {
     Bench<TypeParam> bench(8);
-    PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {facets, 3, always}, cube.mesh, bench.numbering);
+    PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {facets, 3, always}, cube.mesh,
+                                                               bench.numbering);
     for (std::size_t n = 0; n < 8; ++n) bench.u[n] = affine(cube.mesh.X[n]);
     const auto& f = bench.forces(load);
     expect_near(sum_of(f), {}, 5 * bench.tolerance());
@@ -55,9 +59,11 @@ TYPED_TEST(SurfaceLoads, PressureOnAClosedSurfaceHasNoResultant) {
 
 TYPED_TEST(SurfaceLoads, PressurePushesAgainstTheOutwardNormalAndFollowsIt) {
   const Cube cube;
-  for (const auto& facets : {std::vector{cube.quads[5]}, std::vector{cube.triangles[10], cube.triangles[11]}}) {  // x = 1
+  for (const auto& facets :
+       {std::vector{cube.quads[5]}, std::vector{cube.triangles[10], cube.triangles[11]}}) {  // x = 1
     Bench<TypeParam> bench(8);
-    PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {facets, 5, always}, cube.mesh, bench.numbering);
+    PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {facets, 5, always}, cube.mesh,
+                                                               bench.numbering);
     expect_near(sum_of(bench.forces(load)), {-5, 0, 0}, 5 * bench.tolerance());
     for (std::size_t n = 0; n < 8; ++n) bench.u[n] = quarter_turn(cube.mesh.X[n]);
     expect_near(sum_of(bench.forces(load)), {0, -5, 0}, 5 * bench.tolerance());
@@ -69,7 +75,8 @@ TYPED_TEST(SurfaceLoads, PressurePushesAgainstTheOutwardNormalAndFollowsIt) {
 TYPED_TEST(SurfaceLoads, QuadrilateralsShareEquallyAmongTheirCorners) {
   const Cube cube;
   Bench<TypeParam> bench(8);
-  PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{cube.quads[5]}, 8, always}, cube.mesh, bench.numbering);
+  PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{cube.quads[5]}, 8, always},
+                                                             cube.mesh, bench.numbering);
   const auto& f = bench.forces(load);
   for (const std::size_t n : {1, 3, 5, 7}) expect_near(f[n], {-2, 0, 0}, 0);
   for (const std::size_t n : {0, 2, 4, 6}) expect_near(f[n], {}, 0);
@@ -78,9 +85,11 @@ TYPED_TEST(SurfaceLoads, QuadrilateralsShareEquallyAmongTheirCorners) {
 TYPED_TEST(SurfaceLoads, TractionActsAsWrittenOnTheCurrentArea) {
   const Cube cube;
   const Vec3<double> traction{1, -2, 3};
-  for (const auto& facets : {std::vector{cube.quads[5]}, std::vector{cube.triangles[10], cube.triangles[11]}}) {
+  for (const auto& facets :
+       {std::vector{cube.quads[5]}, std::vector{cube.triangles[10], cube.triangles[11]}}) {
     Bench<TypeParam> bench(8);
-    TractionLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {facets, {traction}, always}, cube.mesh, bench.numbering);
+    TractionLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {facets, {traction}, always},
+                                                               cube.mesh, bench.numbering);
     expect_near(sum_of(bench.forces(load)), traction, 3 * bench.tolerance());
     for (std::size_t n = 0; n < 8; ++n) bench.u[n] = quarter_turn(cube.mesh.X[n]);
     expect_near(sum_of(bench.forces(load)), traction, 3 * bench.tolerance());  // the direction stays
@@ -92,8 +101,9 @@ TYPED_TEST(SurfaceLoads, TractionActsAsWrittenOnTheCurrentArea) {
 TYPED_TEST(SurfaceLoads, EachFacetMayHaveItsTraction) {
   const Cube cube;
   Bench<TypeParam> bench(8);
-  TractionLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{cube.quads[4], cube.quads[5]}, {{0, 0, 4}, {8, 0, 0}}, always},
-                                            cube.mesh, bench.numbering);
+  TractionLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(
+      bench.backend, {{cube.quads[4], cube.quads[5]}, {{0, 0, 4}, {8, 0, 0}}, always}, cube.mesh,
+      bench.numbering);
   const auto& f = bench.forces(load);
   expect_near(f[0], {0, 0, 1}, 0);
   expect_near(f[1], {2, 0, 0}, 0);
@@ -104,7 +114,8 @@ TYPED_TEST(SurfaceLoads, SmallFacetsFarAwayKeepTheirDigits) {
   Mesh mesh;
   mesh.X = {{100.0, 200.0, 300.0}, {100.001, 200.0, 300.0}, {100.0, 200.001, 300.0}};
   Bench<TypeParam> bench(3);
-  PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{{{0, 1, 2, -1}}}, 2e6, always}, mesh, bench.numbering);
+  PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{{{0, 1, 2, -1}}}, 2e6, always},
+                                                             mesh, bench.numbering);
   EXPECT_NEAR(sum_of(bench.forces(load)).z, -1, std::max(bench.tolerance(), 1e-9));
 }
 
@@ -112,7 +123,8 @@ TYPED_TEST(SurfaceLoads, SmallFacetsFarAwayKeepTheirDigits) {
 TYPED_TEST(SurfaceLoads, WorkOfPressureIsPressureTimesVolume) {
   const Cube cube;
   Bench<TypeParam> bench(8);
-  PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{cube.quads[5]}, 4, always}, cube.mesh, bench.numbering);
+  PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, {{cube.quads[5]}, 4, always},
+                                                             cube.mesh, bench.numbering);
   const double dt = 0.25;
   bench.step_count = 1;  // a run that is under way
   for (int n = 0; n <= 8; ++n) {
@@ -126,8 +138,10 @@ TYPED_TEST(SurfaceLoads, RestartGivesTheSameBits) {
   const Cube cube;
   Bench<TypeParam> bench(8);
   const Pressure pressure{cube.triangles, 4, {LoadShape::ramp, 0, 1}};
-  PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, pressure, cube.mesh, bench.numbering);
-  PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> resumed(bench.backend, pressure, cube.mesh, bench.numbering);
+  PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> load(bench.backend, pressure, cube.mesh,
+                                                             bench.numbering);
+  PressureLoad<BackendOf<TypeParam>, RealOf<TypeParam>> resumed(bench.backend, pressure, cube.mesh,
+                                                                bench.numbering);
   for (std::size_t n = 0; n < 8; ++n) bench.v[n] = affine(cube.mesh.X[n]);
   for (int n = 0; n < 4; ++n) bench.forces(load, bench.view(0.1 * n, 0.1));
   resumed.load(load.save());
