@@ -1,4 +1,5 @@
-// Arruda-Boyce solid: chains of limited extensibility, so that the tissue stiffens as its stretch nears lambda_m.
+// Arruda-Boyce solid: chains of limited extensibility, so that the tissue stiffens as its stretch nears
+// lambda_m.
 #pragma once
 
 #include <glisson/core/materials/isochoric.hpp>
@@ -6,8 +7,9 @@
 
 namespace glisson {
 
-/// W = mu sum_{i=1..5} c_i / lambda_m^(2i-2) (I1b^i - 3^i) + kappa/2 ((J^2 - 1)/2 - ln J): Arruda & Boyce 1993, the
-/// first five terms of the inverse Langevin function. Valid for J > 0 and I1b well below 3 lambda_m^2.
+/// W = mu sum_{i=1..5} c_i / lambda_m^(2i-2) (I1b^i - 3^i) + kappa/2 ((J^2 - 1)/2 - ln J): Arruda & Boyce
+/// 1993, the first five terms of the inverse Langevin function. Valid for J > 0 and I1b well below 3
+/// lambda_m^2.
 template <class R>
 struct ArrudaBoyce {
   static constexpr const char* name = "AB";
@@ -56,7 +58,9 @@ struct ArrudaBoyce {
     return R(2) * y2 * dW_dI1b(R(y2 * (R(3) + trace(e))));
   }
   /// U'(J) = kappa/2 (J - 1/J)
-  GLISSON_HD R pressure(const R& j, const R& y) const { return R(0.5) * kappa * j * (j + R(2)) * (y * y * y); }
+  GLISSON_HD R pressure(const R& j, const R& y) const {
+    return R(0.5) * kappa * j * (j + R(2)) * (y * y * y);
+  }
 };
 
 }  // namespace glisson

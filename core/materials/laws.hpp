@@ -16,8 +16,8 @@ struct TypeList {
 };
 
 template <class R>
-using AllLaws = TypeList<NeoHookean<R>, StVenantKirchhoff<R>, ArrudaBoyce<R>, Polynomial<R>, TransverselyIsotropic<R>,
-                         Ogden<R>>;
+using AllLaws = TypeList<NeoHookean<R>, StVenantKirchhoff<R>, ArrudaBoyce<R>, Polynomial<R>,
+                         TransverselyIsotropic<R>, Ogden<R>>;
 
 /// Calls f.template operator()<L>() for each type L of the list, in order.
 template <class... Types, class F>

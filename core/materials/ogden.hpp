@@ -1,4 +1,5 @@
-// Ogden solid with up to three terms in the principal stretches: brain, fat and other tissue that Mooney-Rivlin misses.
+// Ogden solid with up to three terms in the principal stretches: brain, fat and other tissue that
+// Mooney-Rivlin misses.
 #pragma once
 
 #include <glisson/core/materials/isochoric.hpp>
@@ -7,9 +8,10 @@
 
 namespace glisson {
 
-/// W = sum_i mu_i/alpha_i (l1^alpha_i + l2^alpha_i + l3^alpha_i - 3) + kappa/2 (J - 1)^2 with the isochoric principal
-/// stretches l_k = J^(-1/3) lambda_k: Ogden 1972, eq. 22. The shear modulus at rest is sum mu_i alpha_i / 2. Valid for
-/// J > 0. An unused term has mu = 0 and any alpha. Derivatives by dual numbers fail where stretches are equal.
+/// W = sum_i mu_i/alpha_i (l1^alpha_i + l2^alpha_i + l3^alpha_i - 3) + kappa/2 (J - 1)^2 with the isochoric
+/// principal stretches l_k = J^(-1/3) lambda_k: Ogden 1972, eq. 22. The shear modulus at rest is sum mu_i
+/// alpha_i / 2. Valid for J > 0. An unused term has mu = 0 and any alpha. Derivatives by dual numbers fail
+/// where stretches are equal.
 template <class R>
 struct Ogden {
   static constexpr const char* name = "OG";
@@ -30,7 +32,8 @@ struct Ogden {
     const Kinematics<R> k = kinematics(H);
     return second_pk_from_mandel(k, mandel(k), R(kappa * k.J_minus_1));
   }
-  /// The logarithms L_k of the stretches sum to 0, so that sum l_k^alpha - 3 = sum (exp(alpha L_k) - 1 - alpha L_k).
+  /// The logarithms L_k of the stretches sum to 0, so that sum l_k^alpha - 3 = sum (exp(alpha L_k) - 1 -
+  /// alpha L_k).
   GLISSON_HD R energy(const Mat3<R>& H) const {
     const Kinematics<R> k = kinematics(H);
     R L[3];
@@ -60,7 +63,8 @@ struct Ogden {
     log_stretches(e, k, L);
     Sym3<R> M{R(0), R(0), R(0), R(0), R(0), R(0)};
     for (int c = 0; c < 3; ++c) {
-      const R t = mu1 * exp_m1(R(alpha1 * L[c])) + mu2 * exp_m1(R(alpha2 * L[c])) + mu3 * exp_m1(R(alpha3 * L[c]));
+      const R t =
+          mu1 * exp_m1(R(alpha1 * L[c])) + mu2 * exp_m1(R(alpha2 * L[c])) + mu3 * exp_m1(R(alpha3 * L[c]));
       M = M + t * dyad(Vec3<R>{e.vectors.m[0][c], e.vectors.m[1][c], e.vectors.m[2][c]});
     }
     return deviator(M);

@@ -1,12 +1,14 @@
-// Polynomial solid of second order in both invariants; with c20 = c02 = c11 = 0 it is the Mooney-Rivlin solid.
+// Polynomial solid of second order in both invariants; with c20 = c02 = c11 = 0 it is the Mooney-Rivlin
+// solid.
 #pragma once
 
 #include <glisson/core/materials/isochoric.hpp>
 
 namespace glisson {
 
-/// W = c10 i1 + c01 i2 + c20 i1^2 + c02 i2^2 + c11 i1 i2 + kappa/2 (J - 1)^2, i1 = I1b - 3, i2 = I2b - 3: Rivlin &
-/// Saunders 1951, with the isochoric invariants of Cb = J^(-2/3) C. Valid for J > 0; stable at rest if c10 + c01 > 0.
+/// W = c10 i1 + c01 i2 + c20 i1^2 + c02 i2^2 + c11 i1 i2 + kappa/2 (J - 1)^2, i1 = I1b - 3, i2 = I2b - 3:
+/// Rivlin & Saunders 1951, with the isochoric invariants of Cb = J^(-2/3) C. Valid for J > 0; stable at rest
+/// if c10 + c01 > 0.
 template <class R>
 struct Polynomial {
   static constexpr const char* name = "PY";
@@ -31,7 +33,8 @@ struct Polynomial {
     const Kinematics<R> k = kinematics(H);
     const Distortion<R> c = distortion(k);
     const R i1 = I1b_minus_3(c), i2 = I2b_minus_3(c);
-    return i1 * (c10 + c20 * i1 + c11 * i2) + i2 * (c01 + c02 * i2) + R(0.5) * kappa * k.J_minus_1 * k.J_minus_1;
+    return i1 * (c10 + c20 * i1 + c11 * i2) + i2 * (c01 + c02 * i2) +
+           R(0.5) * kappa * k.J_minus_1 * k.J_minus_1;
   }
 
  private:

@@ -1,12 +1,13 @@
-// St Venant-Kirchhoff solid: the linear law in Green-Lagrange strain. For large rotation, not for large strain.
+// St Venant-Kirchhoff solid: the linear law in Green-Lagrange strain. For large rotation, not for large
+// strain.
 #pragma once
 
 #include <glisson/core/materials/isochoric.hpp>
 
 namespace glisson {
 
-/// W = lambda/2 (tr E)^2 + mu E:E, E = (C - I)/2: Bonet & Wood 2008, sec. 6.4. Valid for small strain: it softens in
-/// compression and loses ellipticity at a stretch of 1/sqrt(3) in one direction. J <= 0 gives NaN.
+/// W = lambda/2 (tr E)^2 + mu E:E, E = (C - I)/2: Bonet & Wood 2008, sec. 6.4. Valid for small strain: it
+/// softens in compression and loses ellipticity at a stretch of 1/sqrt(3) in one direction. J <= 0 gives NaN.
 template <class R>
 struct StVenantKirchhoff {
   static constexpr const char* name = "LE";
@@ -16,7 +17,7 @@ struct StVenantKirchhoff {
   /// p: Young's modulus [Pa], Poisson's ratio [-] below 1/2.
   GLISSON_HD static StVenantKirchhoff load(const R* p) {
     const R two_mu = p[0] / (R(1) + p[1]);
-    return {two_mu * p[1] / (R(1) - p[1] - p[1]), R(0.5) * two_mu};
+    return {two_mu * p[1] / (R(2) * (R(0.5) - p[1])), R(0.5) * two_mu};  // 1/2 - nu is exact near 1/2
   }
   GLISSON_HD R shear_modulus() const { return mu; }
   GLISSON_HD R bulk_modulus() const { return lambda + R(2.0 / 3) * mu; }

@@ -5,8 +5,9 @@
 
 namespace glisson {
 
-/// W = mu/2 (I1b - 3) + eta/4 (I4b - 1)^2 + kappa/2 (J - 1)^2, I4b = J^(-2/3) a.C a: after Weiss, Maker & Govindjee
-/// 1996, with the quadratic fibre term. Fibres act in compression as in tension. Valid for J > 0; a = 0 gives NaN.
+/// W = mu/2 (I1b - 3) + eta/4 (I4b - 1)^2 + kappa/2 (J - 1)^2, I4b = J^(-2/3) a.C a: after Weiss, Maker &
+/// Govindjee 1996, with the quadratic fibre term. Fibres act in compression as in tension. Valid for J > 0; a
+/// = 0 gives NaN.
 template <class R>
 struct TransverselyIsotropic {
   static constexpr const char* name = "TI";
@@ -22,11 +23,13 @@ struct TransverselyIsotropic {
   }
   GLISSON_HD R shear_modulus() const { return mu; }
   GLISSON_HD R bulk_modulus() const { return kappa; }
-  /// At rest the fibres add eta (A : dev strain)^2 to the energy. A wave along n with amplitude m gets 2 eta (m.dev(A) n)^2
-  /// from it, at most 2 eta (2/3)^2, reached for m = n = a, where the ground substance reaches its maximum too.
+  /// At rest the fibres add eta (A : dev strain)^2 to the energy. A wave along n with amplitude m gets 2 eta
+  /// (m.dev(A) n)^2 from it, at most 2 eta (2/3)^2, reached for m = n = a, where the ground substance reaches
+  /// its maximum too.
   GLISSON_HD R wave_modulus() const { return kappa + R(4.0 / 3) * mu + R(8.0 / 9) * eta; }
 
-  /// Fibres: P = w (F a a^T - I4/3 F^-T), w = eta J^(-2/3) (I4b - 1), I4 = a.C a; the second term joins the pressure.
+  /// Fibres: P = w (F a a^T - I4/3 F^-T), w = eta J^(-2/3) (I4b - 1), I4 = a.C a; the second term joins the
+  /// pressure.
   GLISSON_HD Mat3<R> first_pk(const Mat3<R>& H) const {
     const Kinematics<R> k = kinematics(H);
     R I4;
@@ -54,7 +57,8 @@ struct TransverselyIsotropic {
   GLISSON_HD R energy(const Mat3<R>& H) const {
     const Kinematics<R> k = kinematics(H);
     const R i4 = I4b_minus_1(k, quadratic(k.e, a));
-    return R(0.5) * (mu * I1b_minus_3(distortion(k)) + R(0.5) * eta * i4 * i4 + kappa * k.J_minus_1 * k.J_minus_1);
+    return R(0.5) *
+           (mu * I1b_minus_3(distortion(k)) + R(0.5) * eta * i4 * i4 + kappa * k.J_minus_1 * k.J_minus_1);
   }
 
  private:

@@ -1,4 +1,5 @@
-// What is left of log and exp after their linear part, with full relative accuracy: energies need it at small strain.
+// What is left of log and exp after their linear part, with full relative accuracy: energies need it at small
+// strain.
 #pragma once
 
 #include <glisson/core/numbers/functions.hpp>
@@ -15,7 +16,8 @@ GLISSON_HD R linear_minus_log(const R& x) {
   return select(x * x < R(1.0 / 16), R(r * (x - R(2) * r2 * tail)), R(x - log_1p(x)));
 }
 
-/// exp(x) - 1 - x >= 0. For |x| < 1 by its Taylor polynomial; the first term left out is below 1e-16 of the result.
+/// exp(x) - 1 - x >= 0. For |x| < 1 by its Taylor polynomial; the first term left out is below 1e-16 of the
+/// result.
 template <class R>
 GLISSON_HD R exp_minus_linear(const R& x) {
   R series = R(1);

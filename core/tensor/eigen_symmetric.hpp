@@ -1,4 +1,5 @@
-// Eigenvalues and eigenvectors of a symmetric tensor by a fixed number of rotations: no branch, so that packs may use it.
+// Eigenvalues and eigenvectors of a symmetric tensor by a fixed number of rotations: no branch, so that packs
+// may use it.
 #pragma once
 
 #include <glisson/core/numbers/functions.hpp>
@@ -15,8 +16,9 @@ struct EigenSymmetric {
 
 namespace detail {
 
-/// One Jacobi rotation that makes a[p][q] vanish; r is the third index. t = tan of the smaller of the two angles
-/// (Golub & Van Loan, 2013, sec. 8.5.2), written as 2 a_pq / (d + sign(d) sqrt(d^2 + 4 a_pq^2)), d = a_qq - a_pp.
+/// One Jacobi rotation that makes a[p][q] vanish; r is the third index. t = tan of the smaller of the two
+/// angles (Golub & Van Loan, 2013, sec. 8.5.2), written as 2 a_pq / (d + sign(d) sqrt(d^2 + 4 a_pq^2)), d =
+/// a_qq - a_pp.
 template <class R>
 GLISSON_HD void jacobi_rotation(Mat3<R>& a, Mat3<R>& v, int p, int q, int r) {
   const R apq = a.m[p][q], twice = apq + apq, d = a.m[q][q] - a.m[p][p];
@@ -39,8 +41,9 @@ GLISSON_HD void jacobi_rotation(Mat3<R>& a, Mat3<R>& v, int p, int q, int r) {
 
 }  // namespace detail
 
-/// Four cyclic sweeps; convergence is quadratic, and for 3 x 3 what is left off the diagonal is below rounding in double
-/// (tested). Duals: the derivative does not exist where eigenvalues meet, and is NaN there.
+/// Four cyclic sweeps; convergence is quadratic, and for 3 x 3 what is left off the diagonal is below
+/// rounding in double (tested). Duals: the derivative does not exist where eigenvalues meet, and is NaN
+/// there.
 template <class R>
 GLISSON_HD EigenSymmetric<R> eigen_symmetric(const Sym3<R>& tensor) {
   Mat3<R> a = full(tensor);

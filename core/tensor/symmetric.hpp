@@ -29,7 +29,8 @@ GLISSON_HD Sym3<R> add_to_diagonal(const Sym3<R>& a, const R& s) {
   return {a.xx + s, a.yy + s, a.zz + s, a.xy, a.yz, a.xz};
 }
 
-/// a - tr(a)/3 I, from differences of the diagonal, so that its trace vanishes to rounding of the deviator itself.
+/// a - tr(a)/3 I, from differences of the diagonal, so that its trace vanishes to rounding of the deviator
+/// itself.
 template <class R>
 GLISSON_HD Sym3<R> deviator(const Sym3<R>& a) {
   const R third = R(1.0 / 3), p = a.xx - a.yy, q = a.yy - a.zz, r = a.zz - a.xx;
@@ -75,7 +76,8 @@ GLISSON_HD Mat3<R> full(const Sym3<R>& a) {
   return {{{a.xx, a.xy, a.xz}, {a.xy, a.yy, a.yz}, {a.xz, a.yz, a.zz}}};
 }
 
-/// (I + H) S, small terms kept apart from S: with H = du/dX and S the second Piola-Kirchhoff stress, this is P.
+/// (I + H) S, small terms kept apart from S: with H = du/dX and S the second Piola-Kirchhoff stress, this is
+/// P.
 template <class R>
 GLISSON_HD Mat3<R> push_first(const Mat3<R>& H, const Sym3<R>& S) {
   const Mat3<R> s = full(S);
