@@ -1,0 +1,33 @@
+// The parts of validate(): each throws for what cannot be simulated and appends warnings for what looks wrong.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glisson/core/base/error.hpp>
+#include <glisson/core/base/number_text.hpp>
+#include <glisson/core/model.hpp>
+
+namespace glisson::detail {
+
+using Warnings = std::vector<std::string>;
+
+[[noreturn]] inline void refuse(const std::string& what, const std::string& message) {
+  throw Error(ErrorKind::input, message, {"", 0, what});
+}
+
+/// Sizes of the arrays, node indices, finite positions.
+void check_mesh_arrays(const Mesh& mesh);
+/// Volumes and shapes; needs each element's formulation.  [element_count]
+void check_elements(const Mesh& mesh, const std::vector<Formulation>& formulation, Warnings& warnings);
+/// Nodes without an element, nodes at the same place.
+void check_nodes(const Model& model, Warnings& warnings);
+/// Every element in one section, laws and their parameters. Returns the formulation of each element.
+std::vector<Formulation> check_sections(const Model& model, Warnings& warnings);
+/// Lists, values and curves of loads, constraints and bodies.
+void check_loads(const Model& model, Warnings& warnings);
+void check_time(const Model& model, Warnings& warnings);
+/// Orders of magnitude, when the units are known.
+void check_units(const Model& model, Warnings& warnings);
+
+}  // namespace glisson::detail
