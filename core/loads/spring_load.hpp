@@ -28,7 +28,7 @@ struct SpringForce : LastForces<R> {
 template <Backend B, class R>
 class SpringLoad final : public ForceProvider<R> {
  public:
-  /// mass: [kg] in internal order [node_count].
+  /// mass: inertial mass [kg] in internal order [node_count].
   SpringLoad(B& backend, const Springs& load, const Numbering& numbering, std::span<const double> mass)
       : SpringLoad(backend, load, entries_of(load, numbering), mass) {}
 

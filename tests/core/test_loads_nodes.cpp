@@ -133,6 +133,26 @@ TYPED_TEST(NodeLoads, WorkOfASpringBalancesTheKineticEnergy) {
   }
 }
 
+TYPED_TEST(NodeLoads, CountingWorkDoesNotChangeTheForces) {
+  Bench<TypeParam> bench(40, 0.3);
+  Model model;
+  std::vector<int> nodes(40);
+  std::iota(nodes.begin(), nodes.end(), 0);
+  model.forces.push_back({nodes, 7u, {0.7}, always});
+  model.gravity.push_back({{}, {1, 2, 3}, always});
+  model.springs.push_back({nodes, {{0.1, 0.7, 0}}, {2.3}, always, always, {}});
+  const auto loads = make_loads<BackendOf<TypeParam>, RealOf<TypeParam>>(bench.backend, model,
+                                                                         bench.numbering, bench.masses);
+  for (std::size_t n = 0; n < 40; ++n) bench.u[n] = {0.1 * double(n), -0.3, 0.7};
+  auto step = bench.view(1, 0.1);
+  for (const auto& load : loads) bench.forces(*load, step);
+  const auto counted = bench.f;
+  step = bench.view(1, 0.1);
+  step.monitor = false;
+  for (const auto& load : loads) bench.forces(*load, step);
+  for (std::size_t n = 0; n < 40; ++n) expect_near(bench.f[n], counted[n], 0);
+}
+
 TYPED_TEST(NodeLoads, RestartGivesTheSameBits) {
   Bench<TypeParam> bench(40, 0.3);
   Model model;
