@@ -1,31 +1,35 @@
-// SubModel: levels are read on their own, joined in the order of the document, and near nodes merged.
-#include <algorithm>
-
-#include <glisson/models/format/reader.hpp>
+// A level of the tree: its own mesh, or its sub-models joined in the order of the document and merged where they touch.
+#include <glisson/models/format/join_parts.hpp>
 
 namespace glisson::detail {
 namespace {
 
-/// Calls body(list) for every list of nodes and body_facets(list) for every list of facets that is not a mesh's own.
-template <class Nodes, class Facets>
-void for_each_list(Model& model, Nodes nodes, Facets facets) {
-  for (auto& c : model.fixed) nodes(c.nodes);
-  for (auto& c : model.displacements) nodes(c.nodes);
-  for (auto& c : model.forces) nodes(c.nodes);
-  for (auto& c : model.gravity) nodes(c.nodes);
-  for (auto& c : model.springs) nodes(c.nodes);
-  for (auto& c : model.planes) nodes(c.nodes);
-  for (auto& c : model.initial_velocities) nodes(c.nodes);
-  for (auto& c : model.pressures) facets(c.facets);
-  for (auto& c : model.tractions) facets(c.facets);
+void read_sub_models(const Reader& reader, const XmlElement& level, Part& part) {
+  for (const auto sub : level.all("SubModel")) append(part, read_level(reader, *sub));
+  for (const auto name : {"Nodes", "Elements", "MSHMesh", "VTKMesh", "VTUMesh", "Mesh"})
+    if (const auto own = level.child(name))
+      reader.warn(*own, "it is not used: the geometry of a level with sub-models is theirs");
+}
+
+void merge(const Reader& reader, const XmlElement& level, Part& part) {
+  const auto distance = level.child("SubModelNodeMergerDistance");
+  if (distance == nullptr) return;
+  const double value = distance->number();
+  if (!(value > 0)) return;  // as the format says: no merging
+  const int merged = merge_nodes(part, value, *distance);
+  if (merged == 0) reader.warn(*distance, "no two nodes are that near, so the sub-models are not connected by it");
 }
 
 }  // namespace
 
 Part read_level(const Reader& reader, const XmlElement& level) {
   Part part;
-  if (const auto sub = level.child("SubModel")) sub->fail("sub-models are not supported yet");
-  read_geometry(reader, level, part);
+  if (level.child("SubModel") != nullptr) {
+    read_sub_models(reader, level, part);
+    merge(reader, level, part);
+  } else {
+    read_geometry(reader, level, part);
+  }
   read_element_sets(reader, level, part);
   read_constraints(reader, level, part);
   return part;

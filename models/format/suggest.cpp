@@ -27,7 +27,8 @@ std::string nearest(std::string_view wrong, const std::vector<std::string>& name
   std::string best;
   int best_distance = 1000;
   for (const auto& name : names) {
-    const int distance = edit_distance(wrong, name);
+    const bool begins = wrong.size() >= 3 && same_name(std::string_view(name).substr(0, wrong.size()), wrong);
+    const int distance = begins ? 1 : edit_distance(wrong, name);
     if (distance < best_distance) {
       best_distance = distance;
       best = name;

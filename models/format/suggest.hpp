@@ -11,7 +11,8 @@ namespace glisson::detail {
 /// restricted form).
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The nearest name if it is near enough to be what was meant (a third of its length, at least 2); empty otherwise.
+/// The nearest name if it is near enough to be what was meant (within a third of its length or 2 edits, or its beginning);
+/// empty otherwise.
 std::string nearest(std::string_view wrong, const std::vector<std::string>& names);
 
 /// "; did you mean NAME?" or, without a near name, "; known here: A, B, C".
