@@ -9,7 +9,7 @@
 namespace glisson {
 
 /// W = sum_i mu_i/alpha_i (l1^alpha_i + l2^alpha_i + l3^alpha_i - 3) + kappa/2 (J - 1)^2 with the isochoric
-/// principal stretches l_k = J^(-1/3) lambda_k: Ogden 1972, eq. 22. The shear modulus at rest is sum mu_i
+/// principal stretches l_k = J^(-1/3) lambda_k: Ogden 1972. The shear modulus at rest is sum mu_i
 /// alpha_i / 2. Valid for J > 0. An unused term has mu = 0 and any alpha. Derivatives by dual numbers fail
 /// where stretches are equal.
 template <class R>

@@ -9,8 +9,8 @@ namespace glisson {
 
 /// One term for a fixed time step dt: Y_n = Y_(n-1) + rate (alpha S_n - Y_(n-1)), rate = dt / (dt + tau).
 /// This is backward Euler of tau Y' + Y = alpha S and the same as Y_n = dt alpha/(dt + tau) S_n + tau/(dt +
-/// tau) Y_(n-1) (Johnsen 2016, sec. 4.3), but float keeps alpha S as its exact steady state: a decay factor
-/// rounded near 1 does not.
+/// tau) Y_(n-1) (Taylor, Comas et al. 2009), but float keeps alpha S as its exact steady state: a decay
+/// factor rounded near 1 does not.
 template <class T>
 struct PronyCoefficients {
   T alpha;  ///< relative modulus that relaxes [-]

@@ -6,7 +6,7 @@
 
 namespace glisson {
 
-/// W = lambda/2 (tr E)^2 + mu E:E, E = (C - I)/2: Bonet & Wood 2008, sec. 6.4. Valid for small strain: it
+/// W = lambda/2 (tr E)^2 + mu E:E, E = (C - I)/2: Bonet & Wood 2008, ch. 6. Valid for small strain: it
 /// softens in compression and loses ellipticity at a stretch of 1/sqrt(3) in one direction. J <= 0 gives NaN.
 template <class R>
 struct StVenantKirchhoff {

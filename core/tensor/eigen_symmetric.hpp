@@ -17,7 +17,7 @@ struct EigenSymmetric {
 namespace detail {
 
 /// One Jacobi rotation that makes a[p][q] vanish; r is the third index. t = tan of the smaller of the two
-/// angles (Golub & Van Loan, 2013, sec. 8.5.2), written as 2 a_pq / (d + sign(d) sqrt(d^2 + 4 a_pq^2)), d =
+/// angles (Golub & Van Loan 2013, sec. 8.5), written as 2 a_pq / (d + sign(d) sqrt(d^2 + 4 a_pq^2)), d =
 /// a_qq - a_pp.
 template <class R>
 GLISSON_HD void jacobi_rotation(Mat3<R>& a, Mat3<R>& v, int p, int q, int r) {
