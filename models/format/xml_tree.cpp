@@ -45,6 +45,12 @@ const char* reason_of(tinyxml2::XMLError error) {
   }
 }
 
+std::string_view trimmed(std::string_view text) {
+  const auto first = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  text.remove_prefix(first);
+  return text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
+}
+
 std::string_view shown(std::string_view token) { return token.substr(0, 40); }
 
 }  // namespace
@@ -172,7 +178,7 @@ std::int64_t XmlElement::integer() const {
 std::optional<double> XmlElement::number_attribute(std::string_view wanted) const {
   const auto found = attribute(wanted);
   if (found == nullptr) return {};
-  const auto value = to_number(found->value);
+  const auto value = to_number(trimmed(found->value));
   if (!value) fail(found->line, found->name + "=\"" + std::string(shown(found->value)) + "\" is not a finite number");
   return value;
 }
@@ -180,7 +186,7 @@ std::optional<double> XmlElement::number_attribute(std::string_view wanted) cons
 std::optional<int> XmlElement::integer_attribute(std::string_view wanted) const {
   const auto found = attribute(wanted);
   if (found == nullptr) return {};
-  const auto value = to_integer(found->value);
+  const auto value = to_integer(trimmed(found->value));
   if (!value || *value > std::numeric_limits<int>::max() || *value < std::numeric_limits<int>::min())
     fail(found->line, found->name + "=\"" + std::string(shown(found->value)) + "\" is not a whole number");
   return static_cast<int>(*value);
