@@ -9,6 +9,7 @@ endif()
 option(GLISSON_BUILD_APP "Build the command line" ON)
 option(GLISSON_BUILD_TESTS "Build the tests" ON)
 option(GLISSON_BUILD_FUZZERS "Build the libFuzzer targets (clang)" OFF)
+option(GLISSON_CUDA_COMPILE "Compile the headers of both sides with nvcc (target cuda_compile)" OFF)
 option(GLISSON_WERROR "Warnings are errors" OFF)
 set(GLISSON_SANITIZE "" CACHE STRING "Sanitizers: address,undefined or thread")
 

@@ -10,9 +10,12 @@ function(glisson_library name)
   set_target_properties(glisson_${name} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(glisson_${name} PUBLIC cxx_std_20)
   target_include_directories(glisson_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>)
+    $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(glisson_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
   glisson_warnings(glisson_${name})
+  install(TARGETS glisson_${name} EXPORT GlissonTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glisson/${name}
+    FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 
 function(glisson_warnings target)
@@ -22,5 +25,8 @@ function(glisson_warnings target)
     target_compile_options(${target} PRIVATE -fsanitize=${GLISSON_SANITIZE} -fno-omit-frame-pointer
       $<$<CXX_COMPILER_ID:GNU>:-fno-sanitize-recover=all>)
     target_link_options(${target} PUBLIC -fsanitize=${GLISSON_SANITIZE})
+  endif()
+  if(GLISSON_BUILD_FUZZERS)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
 endfunction()

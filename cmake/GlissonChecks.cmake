@@ -1,0 +1,31 @@
+# Tests of the tree itself: include arrows, sizes, and headers that compile alone.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+set(GLISSON_CHECKS ${PROJECT_SOURCE_DIR}/tests/checks)
+add_test(NAME checks.includes
+  COMMAND ${Python3_EXECUTABLE} ${GLISSON_CHECKS}/check_includes.py ${PROJECT_SOURCE_DIR})
+add_test(NAME checks.size COMMAND ${Python3_EXECUTABLE} ${GLISSON_CHECKS}/check_size.py ${PROJECT_SOURCE_DIR})
+add_test(NAME checks.themselves COMMAND ${Python3_EXECUTABLE} ${GLISSON_CHECKS}/test_checks.py)
+
+# Every public header as the only line of a file. Not part of the default build: the test builds it.
+set(headers "")
+foreach(folder IN ITEMS core cpu contact models run)
+  file(GLOB_RECURSE found CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
+  list(APPEND headers ${found})
+endforeach()
+set(sources "")
+foreach(header IN LISTS headers)
+  string(MAKE_C_IDENTIFIER ${header} name)
+  set(source ${PROJECT_BINARY_DIR}/checks/headers/${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "#include <glisson/${header}>\n#include <glisson/${header}>\n")
+  list(APPEND sources ${source})
+endforeach()
+add_library(check_headers OBJECT EXCLUDE_FROM_ALL ${sources})
+target_link_libraries(check_headers PRIVATE glisson::run glisson::models glisson::contact glisson::cpu
+  glisson::core)
+target_compile_options(check_headers PRIVATE -O0 -Wall -Wextra -Wno-missing-field-initializers)
+if(NOT GLISSON_SANITIZE)
+  add_test(NAME checks.headers_compile_alone
+    COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target check_headers)
+  set_tests_properties(checks.headers_compile_alone PROPERTIES TIMEOUT 900 RUN_SERIAL ON)
+endif()
