@@ -4,11 +4,16 @@ namespace glisson {
 
 const char* name_of(Formulation formulation) {
   switch (formulation) {
-    case Formulation::t4: return "T4";
-    case Formulation::t4anp: return "T4ANP";
-    case Formulation::h8: return "H8";
-    case Formulation::h8_fixed: return "H8FixedHourglass";
-    case Formulation::h8_full: return "H8Full";
+    case Formulation::t4:
+      return "T4";
+    case Formulation::t4anp:
+      return "T4ANP";
+    case Formulation::h8:
+      return "H8";
+    case Formulation::h8_fixed:
+      return "H8FixedHourglass";
+    case Formulation::h8_full:
+      return "H8Full";
   }
   return "?";
 }

@@ -1,4 +1,5 @@
-// validate(): everything that must hold before the first step, in the order in which one check relies on another.
+// validate(): everything that must hold before the first step, in the order in which one check relies on
+// another.
 #include <glisson/core/validation/checks.hpp>
 
 namespace glisson {

@@ -1,5 +1,6 @@
 // Names, parameters and allowed ranges of the constitutive laws, as plain data: what files may contain.
-// The laws themselves are in core/materials/<law>.hpp; a test compares their names and counts with this table.
+// The laws themselves are in core/materials/<law>.hpp; a test compares their names and counts with this
+// table.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@ struct ParameterRule {
   std::string_view name;
   double above = -std::numeric_limits<double>::infinity();
   double below = std::numeric_limits<double>::infinity();
-  bool modulus = false;     ///< a modulus [Pa]: checked for plausibility when the units are known
+  bool modulus = false;      ///< a modulus [Pa]: checked for plausibility when the units are known
   bool may_be_zero = false;  ///< the lower bound itself is allowed
 };
 
@@ -33,13 +34,13 @@ constexpr ParameterRule any(std::string_view name) { return {name, -no_bound, no
 
 inline constexpr std::array linear_rules{positive("E"), ParameterRule{"nu", -1, 0.5, false, false}};
 inline constexpr std::array neo_hookean_rules{positive("mu"), positive("kappa")};
-inline constexpr std::array arruda_boyce_rules{positive("mu"), ParameterRule{"lambda_m", 0, no_bound, false, false},
-                                               positive("kappa")};
+inline constexpr std::array arruda_boyce_rules{
+    positive("mu"), ParameterRule{"lambda_m", 0, no_bound, false, false}, positive("kappa")};
 inline constexpr std::array polynomial_rules{any("c10"), any("c01"), any("c20"),
                                              any("c02"), any("c11"), positive("kappa")};
 inline constexpr std::array transverse_rules{positive("mu"), positive("kappa"), not_negative("eta"),
                                              any("a1"),      any("a2"),         any("a3")};
-inline constexpr std::array ogden_rules{any("mu1"), any("alpha1"), any("mu2"),     any("alpha2"),
+inline constexpr std::array ogden_rules{any("mu1"), any("alpha1"), any("mu2"),       any("alpha2"),
                                         any("mu3"), any("alpha3"), positive("kappa")};
 }  // namespace detail
 

@@ -1,10 +1,8 @@
-#include <glisson/core/mesh/surface.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
 #include <glisson/core/base/error.hpp>
+#include <glisson/core/mesh/surface.hpp>
+#include <limits>
 
 namespace glisson {
 namespace {
@@ -76,7 +74,8 @@ void for_each_facet(const Mesh& mesh, Body body) {
 
 // Facets are put into buckets by their lowest node (a counting sort of ids); twins meet within a bucket.
 std::vector<Facet> outer_surface(const Mesh& mesh) {
-  if (static_cast<std::uint32_t>(mesh.element_count()) > std::numeric_limits<std::uint32_t>::max() / facets_per_slot)
+  if (static_cast<std::uint32_t>(mesh.element_count()) >
+      std::numeric_limits<std::uint32_t>::max() / facets_per_slot)
     throw Error(ErrorKind::input, "the mesh has too many elements for its surface to be found");
   std::vector<std::uint32_t> begin(mesh.X.size() + 1, 0);
   for_each_facet(mesh, [&](std::uint32_t id) { ++begin[lowest_node(facet_of(mesh, id)) + 1]; });

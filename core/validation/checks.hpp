@@ -1,12 +1,12 @@
-// The parts of validate(): each throws for what cannot be simulated and appends warnings for what looks wrong.
+// The parts of validate(): each throws for what cannot be simulated and appends warnings for what looks
+// wrong.
 #pragma once
-
-#include <string>
-#include <vector>
 
 #include <glisson/core/base/error.hpp>
 #include <glisson/core/base/number_text.hpp>
 #include <glisson/core/model.hpp>
+#include <string>
+#include <vector>
 
 namespace glisson::detail {
 

@@ -1,7 +1,7 @@
-// Loads, constraints, bodies and time settings: lists within the mesh, values that fit them, curves that can be evaluated.
+// Loads, constraints, bodies and time settings: lists within the mesh, values that fit them, curves that can
+// be evaluated.
 #include <algorithm>
 #include <cmath>
-
 #include <glisson/core/validation/checks.hpp>
 
 namespace glisson::detail {
@@ -16,7 +16,8 @@ class LoadChecks {
       : model_(model), where_(std::move(kind) + " " + std::to_string(number)) {}
 
   void nodes(const std::vector<int>& list, bool empty_is_all = false) const {
-    if (list.empty() && !empty_is_all) refuse(where_, "its selection of nodes is empty, so it would act on nothing");
+    if (list.empty() && !empty_is_all)
+      refuse(where_, "its selection of nodes is empty, so it would act on nothing");
     for (const int n : list) node(n);
   }
   void facets(const std::vector<Facet>& list) const {
@@ -33,7 +34,8 @@ class LoadChecks {
   template <class T>
   void values(const std::vector<T>& list, std::size_t count) const {
     if (list.size() != 1 && list.size() != count)
-      refuse(where_, "it has " + std::to_string(list.size()) + " values for " + std::to_string(count) + " nodes or facets; give 1 or as many");
+      refuse(where_, "it has " + std::to_string(list.size()) + " values for " + std::to_string(count) +
+                         " nodes or facets; give 1 or as many");
     for (const auto& value : list) is_finite(value);
   }
   template <class T>
@@ -42,13 +44,15 @@ class LoadChecks {
   }
   void curve(const LoadCurve& c) const {
     if (!std::isfinite(c.start) || !std::isfinite(c.end) || c.end < c.start)
-      refuse(where_, "its time interval " + number_text(c.start) + " to " + number_text(c.end) + " is not one");
+      refuse(where_,
+             "its time interval " + number_text(c.start) + " to " + number_text(c.end) + " is not one");
     if (c.shape != LoadShape::table) return;
     if (c.table.empty()) refuse(where_, "its load table is empty");
     for (std::size_t i = 0; i < c.table.size(); ++i) {
       is_finite(c.table[i].first);
       is_finite(c.table[i].second);
-      if (i > 0 && !(c.table[i].first > c.table[i - 1].first)) refuse(where_, "the times of its load table do not increase");
+      if (i > 0 && !(c.table[i].first > c.table[i - 1].first))
+        refuse(where_, "the times of its load table do not increase");
     }
   }
   void unit(const Vec3<double>& v, const char* name) const {
@@ -60,7 +64,8 @@ class LoadChecks {
  private:
   void node(int n) const {
     if (n < 0 || n >= model_.mesh.node_count())
-      refuse(where_, "it names node " + std::to_string(n) + ", but the nodes are 0 to " + std::to_string(model_.mesh.node_count() - 1));
+      refuse(where_, "it names node " + std::to_string(n) + ", but the nodes are 0 to " +
+                         std::to_string(model_.mesh.node_count() - 1));
   }
   const Model& model_;
   std::string where_;
@@ -88,10 +93,11 @@ void check_node_constraints(const Model& model) {
     check.nodes(c.nodes);
     check.unit(c.normal, "normal");
   });
-  check_each(model, "InitialVelocity", model.initial_velocities, [](const LoadChecks& check, const InitialVelocity& c) {
-    check.nodes(c.nodes);
-    check.is_finite(c.velocity);
-  });
+  check_each(model, "InitialVelocity", model.initial_velocities,
+             [](const LoadChecks& check, const InitialVelocity& c) {
+               check.nodes(c.nodes);
+               check.is_finite(c.velocity);
+             });
 }
 
 void check_springs(const LoadChecks& check, const Springs& c) {
@@ -102,7 +108,8 @@ void check_springs(const LoadChecks& check, const Springs& c) {
   check.curve(c.target_curve);
   if (std::any_of(c.stiffness.begin(), c.stiffness.end(), [](double k) { return k < 0; }))
     refuse(check.where(), "a stiffness is negative; the spring would push away from its target");
-  if (c.strain_energy_cap && !(*c.strain_energy_cap > 0)) refuse(check.where(), "its strain-energy cap is not greater than 0");
+  if (c.strain_energy_cap && !(*c.strain_energy_cap > 0))
+    refuse(check.where(), "its strain-energy cap is not greater than 0");
 }
 
 void check_forces(const Model& model) {
@@ -150,8 +157,10 @@ void check_loads(const Model& model, Warnings& warnings) {
   const bool moved = !model.displacements.empty() || !model.forces.empty() || !model.gravity.empty() ||
                      !model.pressures.empty() || !model.tractions.empty() || !model.springs.empty() ||
                      !model.bodies.empty() || !model.initial_velocities.empty();
-  if (!moved) warnings.push_back("the model has no load, prescribed displacement or moving body: nothing will happen");
-  const bool held = !model.fixed.empty() || !model.displacements.empty() || !model.springs.empty() || !model.planes.empty();
+  if (!moved)
+    warnings.push_back("the model has no load, prescribed displacement or moving body: nothing will happen");
+  const bool held =
+      !model.fixed.empty() || !model.displacements.empty() || !model.springs.empty() || !model.planes.empty();
   if (!held && model.time.quasi_static)
     warnings.push_back("nothing holds the body, so a quasi-static run may not come to rest; fix some nodes");
 }
@@ -160,24 +169,31 @@ void check_time(const Model& model, Warnings& warnings) {
   const TimeSettings& time = model.time;
   const auto positive = [](double value, const char* name) {
     if (!(value > 0) || !std::isfinite(value))
-      refuse("time settings", std::string(name) + " is " + number_text(value) + ", but must be greater than 0");
+      refuse("time settings",
+             std::string(name) + " is " + number_text(value) + ", but must be greater than 0");
   };
   if (!time.quasi_static || time.total != 0) positive(time.total, "the total time");
   if (time.step) positive(*time.step, "the time step");
   positive(time.safety, "the safety factor");
-  if (time.safety > 1) refuse("time settings", "the safety factor is " + number_text(time.safety) + ": above 1 the step is not stable");
+  if (time.safety > 1)
+    refuse("time settings",
+           "the safety factor is " + number_text(time.safety) + ": above 1 the step is not stable");
   if (!(time.damping >= 0) || !std::isfinite(time.damping))
-    refuse("time settings", "the damping coefficient is " + number_text(time.damping) + ", but must not be negative");
+    refuse("time settings",
+           "the damping coefficient is " + number_text(time.damping) + ", but must not be negative");
   if (time.mass_scaling_step) positive(*time.mass_scaling_step, "the step of mass scaling");
   if (time.quasi_static) {
     positive(time.quasi_static->force_tolerance, "the force tolerance");
     positive(time.quasi_static->displacement_tolerance, "the displacement tolerance");
-    if (time.quasi_static->max_steps < 1) refuse("time settings", "the largest number of steps must be at least 1");
+    if (time.quasi_static->max_steps < 1)
+      refuse("time settings", "the largest number of steps must be at least 1");
   }
   if (!std::isfinite(time.energy_tolerance)) refuse("time settings", "the energy tolerance is not finite");
-  if (time.monitor_every < 0 || model.output.every < 0) refuse("time settings", "a number of steps between reports is negative");
+  if (time.monitor_every < 0 || model.output.every < 0)
+    refuse("time settings", "a number of steps between reports is negative");
   if (time.step && time.total > 0 && time.total / *time.step > 1e9)
-    warnings.push_back("the run needs " + number_text(time.total / *time.step) + " steps; TimeStep may be too small");
+    warnings.push_back("the run needs " + number_text(time.total / *time.step) +
+                       " steps; TimeStep may be too small");
 }
 
 }  // namespace glisson::detail

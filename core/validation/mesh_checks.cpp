@@ -3,9 +3,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-
 #include <glisson/core/validation/checks.hpp>
+#include <limits>
 
 namespace glisson::detail {
 namespace {
@@ -20,9 +19,10 @@ std::string element_text(int e, Formulation formulation) {
 
 [[noreturn]] void refuse_volume(int e, Formulation formulation, double volume) {
   const bool flat = volume >= 0;
-  refuse(element_text(e, formulation), "its volume is " + number_text(volume) + (flat ? ": it is flat" : ": it is inverted") +
-                                           ", so it has no mass or stiffness of its own; correct the order of its nodes or "
-                                           "the mesh");
+  refuse(element_text(e, formulation),
+         "its volume is " + number_text(volume) + (flat ? ": it is flat" : ": it is inverted") +
+             ", so it has no mass or stiffness of its own; correct the order of its nodes or "
+             "the mesh");
 }
 
 struct Box {
@@ -57,7 +57,8 @@ double jacobian(const std::array<Vec3<double>, 8>& X, const std::array<double, 3
   return determinant(J);
 }
 
-/// 12 (3 V)^(2/3) / sum of the squared edges: 1 for the regular tetrahedron, 0 for a flat one (Liu & Joe 1994).
+/// 12 (3 V)^(2/3) / sum of the squared edges: 1 for the regular tetrahedron, 0 for a flat one (Liu & Joe
+/// 1994).
 double tetrahedron_quality(const std::array<Vec3<double>, 4>& X, double volume) {
   double edges = 0;
   for (std::size_t a = 0; a < 4; ++a)
@@ -80,13 +81,15 @@ double check_tetrahedron(const Mesh& mesh, int e, Formulation formulation) {
   return quality;
 }
 
-/// Smallest corner Jacobian over the largest. One-point elements need it at the centre, H8Full at its 8 points.
+/// Smallest corner Jacobian over the largest. One-point elements need it at the centre, H8Full at its 8
+/// points.
 double check_hexahedron(const Mesh& mesh, int e, Formulation formulation) {
   const auto nodes = mesh.element(e);
   std::array<Vec3<double>, 8> X;
   for (std::size_t a = 0; a < 8; ++a) X[a] = mesh.X[static_cast<std::size_t>(nodes[a])];
   const double g = 1 / std::sqrt(3.0);
-  double volume = 0, smallest = std::numeric_limits<double>::infinity(), largest = 0, smallest_point = smallest;
+  double volume = 0, smallest = std::numeric_limits<double>::infinity(), largest = 0,
+         smallest_point = smallest;
   for (const auto& sign : corner_sign) {
     const double at_point = jacobian(X, {g * sign[0], g * sign[1], g * sign[2]});
     const double at_corner = jacobian(X, {1.0 * sign[0], 1.0 * sign[1], 1.0 * sign[2]});
@@ -98,9 +101,9 @@ double check_hexahedron(const Mesh& mesh, int e, Formulation formulation) {
   if (!(volume > flat_quality * largest) || !(jacobian(X, {0, 0, 0}) > 0))
     refuse_volume(e, formulation, std::min(volume, jacobian(X, {0, 0, 0})));
   if (formulation == Formulation::h8_full && !(smallest_point > 0))
-    refuse(element_text(e, formulation),
-           "it is folded: the Jacobian at one of its integration points is " + number_text(smallest_point) +
-               "; correct its nodes, or use the one-point element H8 for it");
+    refuse(element_text(e, formulation), "it is folded: the Jacobian at one of its integration points is " +
+                                             number_text(smallest_point) +
+                                             "; correct its nodes, or use the one-point element H8 for it");
   return smallest / largest;
 }
 
@@ -113,7 +116,8 @@ void check_mesh_arrays(const Mesh& mesh) {
       static_cast<std::size_t>(mesh.begin.back()) != mesh.nodes.size())
     refuse("mesh", "the table of first nodes does not fit the elements");
   if (!mesh.label.empty() && mesh.label.size() != elements)
-    refuse("mesh", "it has " + std::to_string(mesh.label.size()) + " labels for " + std::to_string(elements) + " elements");
+    refuse("mesh", "it has " + std::to_string(mesh.label.size()) + " labels for " + std::to_string(elements) +
+                       " elements");
   for (std::size_t n = 0; n < mesh.X.size(); ++n)
     if (!finite(mesh.X[n])) refuse("node " + std::to_string(n), "its position is not finite");
   for (std::size_t e = 0; e < elements; ++e) {
@@ -121,7 +125,8 @@ void check_mesh_arrays(const Mesh& mesh) {
       refuse("element " + std::to_string(e), "its number of nodes does not fit its shape");
     for (const int n : mesh.element(static_cast<int>(e)))
       if (n < 0 || n >= mesh.node_count())
-        refuse("element " + std::to_string(e), "it uses node " + std::to_string(n) + ", but the nodes are 0 to " +
+        refuse("element " + std::to_string(e), "it uses node " + std::to_string(n) +
+                                                   ", but the nodes are 0 to " +
                                                    std::to_string(mesh.node_count() - 1));
   }
 }
@@ -141,8 +146,9 @@ void check_elements(const Mesh& mesh, const std::vector<Formulation>& formulatio
     }
   }
   if (slivers > 0)
-    warnings.push_back(std::to_string(slivers) + " elements are badly shaped (quality below " + number_text(sliver_quality) +
-                       "; the worst is element " + std::to_string(worst) + " with " + number_text(worst_quality, 3) +
+    warnings.push_back(std::to_string(slivers) + " elements are badly shaped (quality below " +
+                       number_text(sliver_quality) + "; the worst is element " + std::to_string(worst) +
+                       " with " + number_text(worst_quality, 3) +
                        "): they limit the time step and lose accuracy; improve the mesh there");
 }
 
@@ -153,12 +159,13 @@ void check_nodes(const Model& model, Warnings& warnings) {
   const auto unused = std::count(used.begin(), used.end(), 0);
   if (unused > 0) {
     const auto first = std::find(used.begin(), used.end(), 0) - used.begin();
-    warnings.push_back(std::to_string(unused) + " nodes belong to no element (the first is node " + std::to_string(first) +
-                       "): they have no mass and are held fixed");
+    warnings.push_back(std::to_string(unused) + " nodes belong to no element (the first is node " +
+                       std::to_string(first) + "): they have no mass and are held fixed");
   }
   const Box box = bounds(mesh.X);
   const auto extent = box.high - box.low;
-  const double cell = 1e-9 * std::max({extent.x, extent.y, extent.z, std::numeric_limits<double>::min() * 1e9});
+  const double cell =
+      1e-9 * std::max({extent.x, extent.y, extent.z, std::numeric_limits<double>::min() * 1e9});
   using Key = std::array<std::int64_t, 4>;
   std::vector<Key> keys;
   for (std::size_t n = 0; n < mesh.X.size(); ++n) {
@@ -174,8 +181,8 @@ void check_nodes(const Model& model, Warnings& warnings) {
     }
   if (twins > 0) {
     const auto i = static_cast<std::size_t>(example);
-    warnings.push_back(std::to_string(twins) + " nodes lie where another one lies (nodes " + std::to_string(keys[i - 1][3]) +
-                       " and " + std::to_string(keys[i][3]) +
+    warnings.push_back(std::to_string(twins) + " nodes lie where another one lies (nodes " +
+                       std::to_string(keys[i - 1][3]) + " and " + std::to_string(keys[i][3]) +
                        " for example): the parts there are not connected; merge them if they should be");
   }
 }

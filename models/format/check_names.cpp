@@ -1,4 +1,5 @@
-// Compares a document with the grammar: unknown and repeated names, unknown values of listed attributes, stray text.
+// Compares a document with the grammar: unknown and repeated names, unknown values of listed attributes,
+// stray text.
 #include <glisson/models/format/reader.hpp>
 #include <glisson/models/format/schema.hpp>
 #include <glisson/models/format/suggest.hpp>
@@ -34,19 +35,22 @@ const ChildRule* find_child(const std::vector<ChildRule>& rules, const XmlElemen
 }
 
 void check_element(const Reader& reader, const XmlElement& element, const ElementRule& rule) {
-  if (rule.kind == not_built) element.fail("this feature is not supported yet; remove the element to run the rest");
+  if (rule.kind == not_built)
+    element.fail("this feature is not supported yet; remove the element to run the rest");
   const auto attributes = attributes_of(rule);
   for (const auto& attribute : element.attributes) check_attribute(reader, element, attribute, attributes);
   if (!rule.text && element.has_text()) {
     const auto shown = element.text().substr(0, 40);
-    reader.complain(element, element.line, "text '" + shown + "' stands where only elements are expected; remove it");
+    reader.complain(element, element.line,
+                    "text '" + shown + "' stands where only elements are expected; remove it");
   }
   const auto children = children_of(rule);
   for (const auto& child : element.children) {
     const auto known = find_child(children, child);
     if (known == nullptr) {
-      reader.complain(child, child.line,
-                      "unknown element in <" + element.name + ">" + suggestion(child.name, names_of(children)));
+      reader.complain(
+          child, child.line,
+          "unknown element in <" + element.name + ">" + suggestion(child.name, names_of(children)));
       continue;
     }
     if (!known->repeatable && element.child(child.name) != &child)

@@ -1,6 +1,6 @@
-// What a constraint acts on, from its XML: lists, NumNodes="all", selection elements, Select trees and RestrictTo.
+// What a constraint acts on, from its XML: lists, NumNodes="all", selection elements, Select trees and
+// RestrictTo.
 #include <algorithm>
-
 #include <glisson/models/format/reader.hpp>
 
 namespace glisson::detail {
@@ -8,7 +8,8 @@ namespace {
 
 using Kind = Selection::Kind;
 
-constexpr const char* leaf_names[] = {"Normal", "Box", "Sphere", "HalfSpace", "Label", "Surface", "All", "Distance"};
+constexpr const char* leaf_names[] = {"Normal", "Box",     "Sphere", "HalfSpace",
+                                      "Label",  "Surface", "All",    "Distance"};
 
 Selection with_numbers(Kind kind, const std::vector<double>& values) {
   Selection selection{kind, {}, {}, {}, {}};
@@ -27,7 +28,8 @@ Selection normal_leaf(const XmlElement& leaf) {
 Selection box_leaf(const XmlElement& leaf) {
   const auto v = leaf.numbers(6);
   for (std::size_t i = 0; i < 6; i += 2)
-    if (v[i] > v[i + 1]) leaf.fail("a box is xmin xmax ymin ymax zmin zmax, but a minimum here is above its maximum");
+    if (v[i] > v[i + 1])
+      leaf.fail("a box is xmin xmax ymin ymax zmin zmax, but a minimum here is above its maximum");
   return with_numbers(Kind::box, v);
 }
 
@@ -39,7 +41,8 @@ Selection sphere_leaf(const XmlElement& leaf) {
 
 Selection half_space_leaf(const XmlElement& leaf) {
   const auto v = leaf.numbers(6);
-  if (v[3] == 0 && v[4] == 0 && v[5] == 0) leaf.fail("a half-space is a point and a normal, but the normal here is the zero vector");
+  if (v[3] == 0 && v[4] == 0 && v[5] == 0)
+    leaf.fail("a half-space is a point and a normal, but the normal here is the zero vector");
   return with_numbers(Kind::half_space, v);
 }
 
@@ -61,7 +64,8 @@ Selection label_leaf(const XmlElement& leaf) {
 Selection read_select(const Reader& reader, const XmlElement& select, const Mesh& mesh);
 
 /// All selection elements directly inside `parent`, except <Nodes>.
-void append_leaves(const Reader& reader, const XmlElement& parent, const Mesh& mesh, std::vector<Selection>& parts) {
+void append_leaves(const Reader& reader, const XmlElement& parent, const Mesh& mesh,
+                   std::vector<Selection>& parts) {
   for (const auto name : leaf_names)
     for (const auto leaf : parent.all(name)) parts.push_back(read_leaf(reader, *leaf, name, mesh));
   for (const auto select : parent.all("Select")) parts.push_back(read_select(reader, *select, mesh));
@@ -70,10 +74,18 @@ void append_leaves(const Reader& reader, const XmlElement& parent, const Mesh& m
 Selection read_select(const Reader& reader, const XmlElement& select, const Mesh& mesh) {
   const auto op = select.attribute("Op");
   const std::string name = op != nullptr ? op->value : "and";
-  Selection selection{name == "or" ? Kind::either : name == "not" ? Kind::neither : Kind::both, {}, {}, {}, {}};
-  for (const auto nodes : select.all("Nodes")) selection.parts.push_back(read_leaf(reader, *nodes, "Nodes", mesh));
+  Selection selection{name == "or"    ? Kind::either
+                      : name == "not" ? Kind::neither
+                                      : Kind::both,
+                      {},
+                      {},
+                      {},
+                      {}};
+  for (const auto nodes : select.all("Nodes"))
+    selection.parts.push_back(read_leaf(reader, *nodes, "Nodes", mesh));
   append_leaves(reader, select, mesh, selection.parts);
-  if (selection.parts.empty()) select.fail("it holds nothing to combine; put selections such as <Box> into it");
+  if (selection.parts.empty())
+    select.fail("it holds nothing to combine; put selections such as <Box> into it");
   return selection;
 }
 
@@ -105,7 +117,8 @@ void check_spec_type(const XmlElement& constraint) {
       if (same_name(name, "Nodes") && (all || count == 0 || constraint.child("Faces") != nullptr ||
                                        constraint.attribute("NumFaces") != nullptr))
         return;
-      constraint.fail(spec->line, "SpecType=\"" + spec->value + "\" needs the element <" + name + "> inside it");
+      constraint.fail(spec->line,
+                      "SpecType=\"" + spec->value + "\" needs the element <" + name + "> inside it");
     }
 }
 
@@ -142,7 +155,11 @@ Selection read_leaf(const Reader& reader, const XmlElement& leaf, const std::str
   if (type == "Distance") return distance_leaf(reader, leaf);
   if (type == "Label") return label_leaf(leaf);
   if (type == "Nodes")
-    return {Kind::nodes, {}, index_list(leaf, leaf.integer_attribute("NumNodes"), mesh.node_count(), "nodes"), {}, {}};
+    return {Kind::nodes,
+            {},
+            index_list(leaf, leaf.integer_attribute("NumNodes"), mesh.node_count(), "nodes"),
+            {},
+            {}};
   return {type == "Surface" ? Kind::surface : Kind::all, {}, {}, {}, {}};
 }
 
@@ -154,7 +171,8 @@ Choice read_choice(const Reader& reader, const XmlElement& constraint, const Mes
   for (const auto restriction : constraint.all("RestrictTo"))
     choice.filter.parts.push_back(read_restriction(reader, *restriction, mesh));
   const auto spec = constraint.attribute("SpecType");
-  if (spec != nullptr && spec->value == "SURFACE") choice.filter.parts.push_back({Kind::surface, {}, {}, {}, {}});
+  if (spec != nullptr && spec->value == "SURFACE")
+    choice.filter.parts.push_back({Kind::surface, {}, {}, {}, {}});
   return choice;
 }
 

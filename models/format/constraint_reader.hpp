@@ -1,11 +1,10 @@
 // One Constraint element in the reading: what it acts on and the values on that.
 #pragma once
 
+#include <glisson/models/format/reader.hpp>
 #include <span>
 #include <string>
 #include <vector>
-
-#include <glisson/models/format/reader.hpp>
 
 namespace glisson::detail {
 
@@ -14,7 +13,8 @@ class ConstraintReader {
   ConstraintReader(const Reader& reader, const XmlElement& element, const SelectionMesh& mesh)
       : reader_(reader), element_(element), mesh_(mesh) {}
 
-  /// Selected nodes; an error when there is none. With `all_is_empty`, every node of the mesh is the empty list.
+  /// Selected nodes; an error when there is none. With `all_is_empty`, every node of the mesh is the empty
+  /// list.
   std::vector<int> nodes();
   std::vector<Facet> facets();
   /// True after nodes() or facets() if the file says that it acts on nothing (NumNodes="0").
@@ -22,7 +22,8 @@ class ConstraintReader {
 
   Axes axes() const;
   LoadCurve curve() const { return read_curve(reader_, element_, "LoadShape", "Table", {}); }
-  /// One value (UNIFORM) or one per selected item of `width` numbers (DIFFORM, FILE), in the order of the selection.
+  /// One value (UNIFORM) or one per selected item of `width` numbers (DIFFORM, FILE), in the order of the
+  /// selection.
   std::vector<double> values(const XmlElement& element, std::size_t width) const;
   std::vector<Vec3<double>> vectors(const XmlElement& element) const;
 

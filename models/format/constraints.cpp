@@ -1,6 +1,5 @@
 // Constraint: boundary conditions and loads of one level.
 #include <array>
-
 #include <glisson/models/format/constraint_reader.hpp>
 #include <glisson/models/format/suggest.hpp>
 
@@ -16,7 +15,8 @@ void add_displacement(const Reader&, const XmlElement& element, ConstraintReader
   auto nodes = in.nodes();
   const auto curve = in.curve();
   auto values = in.values(element.required_child("Magnitudes"), 1);
-  if (!in.acts_on_nothing()) model.displacements.push_back({std::move(nodes), in.axes(), std::move(values), curve});
+  if (!in.acts_on_nothing())
+    model.displacements.push_back({std::move(nodes), in.axes(), std::move(values), curve});
 }
 
 void add_force(const Reader&, const XmlElement& element, ConstraintReader& in, Model& model) {
@@ -95,7 +95,8 @@ constexpr std::array types{
     ConstraintType{"Gravity", add_gravity, " AccelerationMagnitude AccelerationDirection Table "},
     ConstraintType{"Pressure", add_pressure, " Magnitude Faces Table "},
     ConstraintType{"Traction", add_traction, " Magnitudes Faces Table "},
-    ConstraintType{"Spring", add_spring, " Stiffness Targets StrainEnergyCap Table TargetTable TargetLoadShape "},
+    ConstraintType{"Spring", add_spring,
+                   " Stiffness Targets StrainEnergyCap Table TargetTable TargetLoadShape "},
     ConstraintType{"SlidingPlane", add_plane, " PlaneNormal "},
     ConstraintType{"Symmetry", add_plane, " PlaneNormal "},
     ConstraintType{"InitialVelocity", add_velocity, " Velocity "},
@@ -103,8 +104,9 @@ constexpr std::array types{
 
 /// What another type would use is accepted by the grammar; here it has no effect and is probably a mistake.
 void warn_unused(const Reader& reader, const XmlElement& element, const ConstraintType& type) {
-  for (const char* name : {"Magnitudes", "Magnitude", "AccelerationMagnitude", "AccelerationDirection", "Table", "Faces",
-                           "TargetTable", "Stiffness", "Targets", "StrainEnergyCap", "PlaneNormal", "Velocity"}) {
+  for (const char* name :
+       {"Magnitudes", "Magnitude", "AccelerationMagnitude", "AccelerationDirection", "Table", "Faces",
+        "TargetTable", "Stiffness", "Targets", "StrainEnergyCap", "PlaneNormal", "Velocity"}) {
     const auto child = element.child(name);
     if (child != nullptr && std::string(type.uses).find(" " + std::string(name) + " ") == std::string::npos)
       reader.warn(*child, "it has no effect in a Constraint of Type=\"" + std::string(type.name) + "\"");

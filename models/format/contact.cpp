@@ -1,6 +1,5 @@
 // ContactPlate, ContactCylinder, ContactUSProbe: analytic rigid bodies that move over time.
 #include <cmath>
-
 #include <glisson/models/format/reader.hpp>
 
 namespace glisson::detail {
@@ -30,7 +29,8 @@ RigidBody common(const Reader& reader, const XmlElement& element, RigidShape sha
     } else {
       body.nodes = index_list(*slaves, slaves->integer_attribute("NumNodes"), mesh.node_count(), "nodes");
     }
-    if (body.nodes.empty()) slaves->fail("the list of nodes is empty; without the element all surface nodes may touch the body");
+    if (body.nodes.empty())
+      slaves->fail("the list of nodes is empty; without the element all surface nodes may touch the body");
   }
   return body;
 }
@@ -41,7 +41,8 @@ void read_round(const Reader& reader, const XmlElement& element, RigidShape shap
   const auto& axis = element.required_child("Axis");
   const auto raw = vector_of(axis);
   body.axis = direction_of(axis);
-  if (std::abs(std::sqrt(dot(raw, raw)) - 1) > 1e-4) reader.warn(axis, "the axis is not a unit vector; it has been scaled to one");
+  if (std::abs(std::sqrt(dot(raw, raw)) - 1) > 1e-4)
+    reader.warn(axis, "the axis is not a unit vector; it has been scaled to one");
   body.radius = positive(element, "Radius");
   body.length = positive(element, "Length");
   body.displacement = optional_vector(element, "OrigDisp");
@@ -57,7 +58,8 @@ void read_plate(const Reader& reader, const XmlElement& element, Model& model) {
   body.corners = {vector_of(element.required_child("a")), vector_of(element.required_child("b")),
                   vector_of(element.required_child("c"))};
   const auto normal = cross(body.corners[1] - body.corners[0], body.corners[2] - body.corners[0]);
-  if (!(dot(normal, normal) > 0)) element.fail("the corners a, b and c lie on one line, so the plate has no side");
+  if (!(dot(normal, normal) > 0))
+    element.fail("the corners a, b and c lie on one line, so the plate has no side");
   body.displacement = optional_vector(element, "Disp");
   model.bodies.push_back(std::move(body));
 }

@@ -1,6 +1,5 @@
 // ElementSet: which elements have which material and formulation.
 #include <algorithm>
-
 #include <glisson/models/format/reader.hpp>
 
 namespace glisson::detail {
@@ -11,7 +10,8 @@ std::vector<int> labelled(const XmlElement& set, const XmlAttribute& attribute, 
   for_each_token(XmlText{attribute.value, attribute.line}, [&](std::string_view token, int) {
     const auto label = to_integer(token);
     if (!label || *label != static_cast<int>(*label))
-      set.fail(attribute.line, "Label=\"" + attribute.value + "\" holds something that is not a whole number");
+      set.fail(attribute.line,
+               "Label=\"" + attribute.value + "\" holds something that is not a whole number");
     labels.push_back(static_cast<int>(*label));
   });
   for (int e = 0; e < mesh.element_count(); ++e) {
@@ -33,7 +33,8 @@ std::vector<int> elements_of(const XmlElement& set, const Mesh& mesh) {
     return labelled(set, *label, mesh);
   }
   if (set.required_attribute("Size") == "all") {
-    if (set.has_text()) set.fail("a set of Size=\"all\" holds no list; remove the list or give the number of elements");
+    if (set.has_text())
+      set.fail("a set of Size=\"all\" holds no list; remove the list or give the number of elements");
     std::vector<int> all(static_cast<std::size_t>(mesh.element_count()));
     for (std::size_t e = 0; e < all.size(); ++e) all[e] = static_cast<int>(e);
     return all;
@@ -62,8 +63,8 @@ void override_formulation(const XmlElement& set, const std::vector<int>& element
   for (const int e : elements) {
     auto& formulation = part.formulation[static_cast<std::size_t>(e)];
     if (shape_of(wanted) != shape_of(formulation))
-      set.fail(attribute->line, "Formulation=\"" + attribute->value + "\" does not fit element " + std::to_string(e) +
-                                    ", which has another shape; split the set by shape");
+      set.fail(attribute->line, "Formulation=\"" + attribute->value + "\" does not fit element " +
+                                    std::to_string(e) + ", which has another shape; split the set by shape");
     formulation = wanted;
   }
 }
@@ -73,7 +74,8 @@ void override_formulation(const XmlElement& set, const std::vector<int>& element
 std::vector<int> index_list(const XmlElement& element, std::optional<int> count, int size, const char* what) {
   auto indices = element.integers();
   const auto fail_range = [&](std::int64_t index) {
-    element.fail("index " + std::to_string(index) + " is outside the " + what + " 0 to " + std::to_string(size - 1));
+    element.fail("index " + std::to_string(index) + " is outside the " + what + " 0 to " +
+                 std::to_string(size - 1));
   };
   if (count && *count < 0) element.fail("a count of " + std::to_string(*count) + " is negative");
   if (count && indices.size() == 1 && *count > 1) {  // start index
@@ -81,11 +83,12 @@ std::vector<int> index_list(const XmlElement& element, std::optional<int> count,
     if (first < 0 || first >= size) fail_range(first);
     if (last >= size) fail_range(last);
     indices.resize(static_cast<std::size_t>(*count));
-    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<int>(first) + static_cast<int>(i);
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      indices[i] = static_cast<int>(first) + static_cast<int>(i);
   }
   if (count && indices.size() != static_cast<std::size_t>(*count))
-    element.fail("it lists " + std::to_string(indices.size()) + " " + what + " where " + std::to_string(*count) +
-                 " are announced; give as many, or one start index");
+    element.fail("it lists " + std::to_string(indices.size()) + " " + what + " where " +
+                 std::to_string(*count) + " are announced; give as many, or one start index");
   for (const int index : indices)
     if (index < 0 || index >= size) fail_range(index);
   return indices;
@@ -103,8 +106,8 @@ void read_element_sets(const Reader& reader, const XmlElement& level, Part& part
     override_formulation(*set, whole.elements, part);
     whole.material = read_material(reader, set->required_child("Material"), part.model.mesh, whole.elements);
     whole.hourglass = reader.hourglass.value_or(whole.hourglass);
-    for (const auto formulation :
-         {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_fixed, Formulation::h8_full}) {
+    for (const auto formulation : {Formulation::t4, Formulation::t4anp, Formulation::h8,
+                                   Formulation::h8_fixed, Formulation::h8_full}) {
       auto section = part_with(whole, part.formulation, formulation);
       if (!section.elements.empty()) part.model.sections.push_back(std::move(section));
     }

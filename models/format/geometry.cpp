@@ -1,6 +1,5 @@
 // Nodes, Elements and mesh files of one level.
 #include <cmath>
-
 #include <glisson/models/format/reader.hpp>
 #include <glisson/models/format/suggest.hpp>
 
@@ -20,9 +19,10 @@ void read_nodes(const XmlElement& level, Mesh& mesh) {
   const int count = *element.integer_attribute("NumNodes");
   const auto values = element.numbers();
   if (count <= 0 || values.size() != 3 * static_cast<std::size_t>(count))
-    element.fail("it holds " + std::to_string(values.size()) + " coordinates, but NumNodes=\"" + std::to_string(count) +
-                 "\" needs " + std::to_string(3 * static_cast<std::int64_t>(count)));
-  for (std::size_t i = 0; i < values.size(); i += 3) mesh.X.push_back({values[i], values[i + 1], values[i + 2]});
+    element.fail("it holds " + std::to_string(values.size()) + " coordinates, but NumNodes=\"" +
+                 std::to_string(count) + "\" needs " + std::to_string(3 * static_cast<std::int64_t>(count)));
+  for (std::size_t i = 0; i < values.size(); i += 3)
+    mesh.X.push_back({values[i], values[i + 1], values[i + 2]});
 }
 
 Shape shape_with(const XmlElement& element, int node_count) {
@@ -58,8 +58,9 @@ void read_elements(const XmlElement& level, Mesh& mesh) {
   for (int e = 0; e < mesh.element_count(); ++e)
     for (const int n : mesh.element(e))
       if (n < 0 || n >= mesh.node_count())
-        element.fail("element " + std::to_string(e) + " uses node " + std::to_string(n) + ", but there are only nodes 0 to " +
-                     std::to_string(mesh.node_count() - 1) + " (numbers start at 0)");
+        element.fail("element " + std::to_string(e) + " uses node " + std::to_string(n) +
+                     ", but there are only nodes 0 to " + std::to_string(mesh.node_count() - 1) +
+                     " (numbers start at 0)");
 }
 
 /// Keeps elements of the wanted shapes, with their labels and arrays; nodes keep their numbers.
@@ -103,7 +104,9 @@ void transform(const XmlElement& element, Mesh& mesh) {
   }
   if (const auto scale = element.child("ScaleFactor")) {
     const double factor = scale->number();
-    if (!(factor > 0)) scale->fail("a scale factor of " + scale->text() + " would turn the mesh inside out or flat; use a positive one");
+    if (!(factor > 0))
+      scale->fail("a scale factor of " + scale->text() +
+                  " would turn the mesh inside out or flat; use a positive one");
     for (auto& X : mesh.X) X = factor * X;
   }
   if (const auto translation = element.child("Translation")) {
@@ -137,7 +140,8 @@ void turn_tetrahedra(const Reader& reader, const XmlElement& level, Mesh& mesh) 
     ++turned;
   }
   if (turned > 0)
-    reader.warn(level, std::to_string(turned) + " tetrahedra were listed in the inverted order and have been turned");
+    reader.warn(
+        level, std::to_string(turned) + " tetrahedra were listed in the inverted order and have been turned");
 }
 
 }  // namespace
@@ -150,12 +154,14 @@ Vec3<double> vector_of(const XmlElement& element) {
 Vec3<double> direction_of(const XmlElement& element) {
   const auto v = vector_of(element);
   const double length = std::sqrt(dot(v, v));
-  if (!(length > 1e-12) || !std::isfinite(length)) element.fail("the vector has no direction; give three numbers that are not all 0");
+  if (!(length > 1e-12) || !std::isfinite(length))
+    element.fail("the vector has no direction; give three numbers that are not all 0");
   return (1 / length) * v;
 }
 
 std::optional<Formulation> formulation_named(std::string_view name) {
-  for (const auto f : {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_fixed, Formulation::h8_full})
+  for (const auto f :
+       {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_fixed, Formulation::h8_full})
     if (name == name_of(f)) return f;
   return {};
 }
@@ -169,9 +175,12 @@ FormulationChoice formulation_choice(const XmlElement& element, const std::strin
     if (name == "AUTO" && type == "AUTO") return {Formulation::t4, Formulation::h8};
     const auto formulation = formulation_named(name);
     if (!formulation)
-      element.fail("Type=\"" + type + "\" is not an element type or types joined by +" + suggestion(name, type_names()));
+      element.fail("Type=\"" + type + "\" is not an element type or types joined by +" +
+                   suggestion(name, type_names()));
     auto& slot = shape_of(*formulation) == Shape::tetrahedron ? choice.tetrahedron : choice.hexahedron;
-    if (slot) element.fail("Type=\"" + type + "\" names two formulations of the same shape; ElementSet/Formulation can differ by set");
+    if (slot)
+      element.fail("Type=\"" + type +
+                   "\" names two formulations of the same shape; ElementSet/Formulation can differ by set");
     slot = formulation;
     if (plus == rest.size()) return choice;
     rest.remove_prefix(plus + 1);
@@ -185,14 +194,16 @@ void read_geometry(const Reader& reader, const XmlElement& level, Part& part) {
     const auto found = level.child(name);
     if (found == nullptr) continue;
     if (from_file != nullptr)
-      reader.complain(*found, found->line, "a second geometry: <" + from_file->name + "> is there too; keep one of them");
+      reader.complain(*found, found->line,
+                      "a second geometry: <" + from_file->name + "> is there too; keep one of them");
     else
       from_file = found;
   }
   if (from_file != nullptr) {
     for (const auto name : {"Nodes", "Elements"})
       if (const auto other = level.child(name))
-        reader.complain(*other, other->line, "a second geometry: <" + from_file->name + "> is there too; keep one of them");
+        reader.complain(*other, other->line,
+                        "a second geometry: <" + from_file->name + "> is there too; keep one of them");
     read_mesh_file(reader, *from_file, part, choice);
   } else {
     read_nodes(level, part.model.mesh);

@@ -1,16 +1,16 @@
-#include <glisson/models/format/join_parts.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glisson/models/format/join_parts.hpp>
 #include <limits>
 #include <unordered_map>
 
 namespace glisson::detail {
 namespace {
 
-/// Calls on_nodes(list) for every list of nodes of loads and constraints, on_facets(list) for every list of facets.
+/// Calls on_nodes(list) for every list of nodes of loads and constraints, on_facets(list) for every list of
+/// facets.
 template <class Nodes, class Facets>
 void for_each_list(Model& model, Nodes on_nodes, Facets on_facets) {
   for (auto& c : model.fixed) on_nodes(c.nodes);
@@ -38,10 +38,14 @@ void shift(Part& part, int node_offset, int element_offset) {
     if (gravity.nodes.empty())
       for (int n = 0; n < model.mesh.node_count(); ++n) gravity.nodes.push_back(n);
   for_each_list(
-      model, [&](std::vector<int>& nodes) { for (auto& n : nodes) n += node_offset; },
+      model,
+      [&](std::vector<int>& nodes) {
+        for (auto& n : nodes) n += node_offset;
+      },
       [&](std::vector<Facet>& facets) {
         for (auto& facet : facets) {
-          for (int a = facet.node_count() - 1; a >= 0; --a) facet.nodes[static_cast<std::size_t>(a)] += node_offset;
+          for (int a = facet.node_count() - 1; a >= 0; --a)
+            facet.nodes[static_cast<std::size_t>(a)] += node_offset;
           if (facet.element >= 0) facet.element += element_offset;
         }
       });
@@ -53,7 +57,8 @@ using Arrays = std::map<std::string, NamedArray>;
 void append_arrays(Arrays& to, const Arrays& from, std::size_t old_count, std::size_t added) {
   for (const auto& [name, array] : from)
     if (to.find(name) == to.end())
-      to[name] = {array.components, std::vector<double>(old_count * static_cast<std::size_t>(array.components), 0.0)};
+      to[name] = {array.components,
+                  std::vector<double>(old_count * static_cast<std::size_t>(array.components), 0.0)};
   for (auto& [name, array] : to) {
     const auto found = from.find(name);
     if (found != from.end() && found->second.components == array.components)
@@ -72,7 +77,8 @@ void append_mesh(Mesh& to, const Mesh& from) {
   append_arrays(to.cell_arrays, from.cell_arrays, old_elements, from.shape.size());
   append_arrays(to.point_arrays, from.point_arrays, old_nodes, from.X.size());
   to.X.insert(to.X.end(), from.X.begin(), from.X.end());
-  for (int e = 0; e < from.element_count(); ++e) to.add_element(from.shape[static_cast<std::size_t>(e)], from.element(e));
+  for (int e = 0; e < from.element_count(); ++e)
+    to.add_element(from.shape[static_cast<std::size_t>(e)], from.element(e));
 }
 
 /// Nodes in cells of the merging distance; a node's partners are in its own and the 26 cells around it.
@@ -111,7 +117,9 @@ class NodeGrid {
 void check_range(const std::vector<Vec3<double>>& X, double distance, const XmlElement& place) {
   for (const auto& x : X)
     if (std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}) / distance > 1e15)
-      place.fail("the distance is too small for coordinates of this size; no two different nodes could be that near");
+      place.fail(
+          "the distance is too small for coordinates of this size; no two different nodes could be that "
+          "near");
 }
 
 /// Lists name a merged node once; values that belong to a dropped entry go with it.
@@ -150,13 +158,15 @@ void renumber_lists(Model& model, const std::vector<int>& number) {
   for (auto& c : model.tractions) on_facets(c.facets);
 }
 
-/// Moves the first node that got each number to its place; numbers grow with the nodes, so nothing is overwritten early.
+/// Moves the first node that got each number to its place; numbers grow with the nodes, so nothing is
+/// overwritten early.
 template <class T>
 void keep_first(const std::vector<int>& number, std::size_t components, std::vector<T>& values) {
   int next = 0;
   for (std::size_t n = 0; n < number.size(); ++n) {
     if (number[n] != next) continue;
-    for (std::size_t c = 0; c < components; ++c) values[static_cast<std::size_t>(next) * components + c] = values[n * components + c];
+    for (std::size_t c = 0; c < components; ++c)
+      values[static_cast<std::size_t>(next) * components + c] = values[n * components + c];
     ++next;
   }
   values.resize(static_cast<std::size_t>(next) * components);
@@ -169,7 +179,8 @@ void renumber_mesh(Mesh& mesh, const std::vector<int>& number, const XmlElement&
     for (std::size_t a = 0; a < nodes.size(); ++a)
       for (std::size_t b = 0; b < a; ++b)
         if (nodes[a] == nodes[b])
-          place.fail("the distance is larger than an edge of element " + std::to_string(e) + ", which would collapse; make it smaller");
+          place.fail("the distance is larger than an edge of element " + std::to_string(e) +
+                     ", which would collapse; make it smaller");
   }
   keep_first(number, 1, mesh.X);
   for (auto& [name, array] : mesh.point_arrays)
@@ -179,7 +190,8 @@ void renumber_mesh(Mesh& mesh, const std::vector<int>& number, const XmlElement&
 }  // namespace
 
 void append(Part& whole, Part part) {
-  const std::int64_t nodes = static_cast<std::int64_t>(whole.model.mesh.X.size()) + part.model.mesh.node_count();
+  const std::int64_t nodes =
+      static_cast<std::int64_t>(whole.model.mesh.X.size()) + part.model.mesh.node_count();
   if (nodes > std::numeric_limits<int>::max())
     throw Error(ErrorKind::input, "the sub-models have more nodes together than can be numbered");
   shift(part, whole.model.mesh.node_count(), whole.model.mesh.element_count());

@@ -12,8 +12,8 @@ void append(Part& whole, Part part);
 /// Result in new numbers, without gaps.
 std::vector<int> merged_numbers(const std::vector<Vec3<double>>& X, double distance);
 
-/// Renumbers everything by merged_numbers() and drops merged nodes. Returns how many went. Throws Error(input) at `place`
-/// when an element would lose a node.
+/// Renumbers everything by merged_numbers() and drops merged nodes. Returns how many went. Throws
+/// Error(input) at `place` when an element would lose a node.
 int merge_nodes(Part& part, double distance, const XmlElement& place);
 
 }  // namespace glisson::detail

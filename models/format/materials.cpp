@@ -1,7 +1,6 @@
 // Material of an ElementSet: law, parameters, Prony terms, density, per-element values from cell arrays.
 #include <algorithm>
 #include <cmath>
-
 #include <glisson/core/materials/law_table.hpp>
 #include <glisson/models/format/reader.hpp>
 #include <glisson/models/format/suggest.hpp>
@@ -53,19 +52,23 @@ void read_elastic(const XmlElement& material, const LawRule& law, MaterialSpec& 
 void read_viscous(const XmlElement& material, const std::string& type, MaterialSpec& spec) {
   const auto element = material.child("ViscoParams");
   if (element == nullptr) {
-    if (type == "NHV" || type == "TIV") material.fail("the law " + type + " needs <ViscoParams>; add it or use " + type.substr(0, 2));
+    if (type == "NHV" || type == "TIV")
+      material.fail("the law " + type + " needs <ViscoParams>; add it or use " + type.substr(0, 2));
     return;
   }
   element->required_attribute("NumIsoTerms");
   element->required_attribute("NumVolTerms");
-  const int isochoric = *element->integer_attribute("NumIsoTerms"), volumetric = *element->integer_attribute("NumVolTerms");
+  const int isochoric = *element->integer_attribute("NumIsoTerms"),
+            volumetric = *element->integer_attribute("NumVolTerms");
   const auto values = element->numbers();
   if (isochoric < 0 || volumetric < 0 ||
       values.size() != 2 * (static_cast<std::size_t>(isochoric) + static_cast<std::size_t>(volumetric)))
-    element->fail("it holds " + std::to_string(values.size()) + " numbers; " + std::to_string(isochoric) + " isochoric and " +
-                  std::to_string(volumetric) + " volumetric terms need 2 each (alpha tau)");
+    element->fail("it holds " + std::to_string(values.size()) + " numbers; " + std::to_string(isochoric) +
+                  " isochoric and " + std::to_string(volumetric) +
+                  " volumetric terms need 2 each (alpha tau)");
   for (std::size_t i = 0; i < values.size(); i += 2)
-    (i < 2 * static_cast<std::size_t>(isochoric) ? spec.isochoric : spec.volumetric).push_back({values[i], values[i + 1]});
+    (i < 2 * static_cast<std::size_t>(isochoric) ? spec.isochoric : spec.volumetric)
+        .push_back({values[i], values[i + 1]});
 }
 
 const NamedArray& cell_array(const XmlElement& element, const Mesh& mesh, int components) {
@@ -77,41 +80,47 @@ const NamedArray& cell_array(const XmlElement& element, const Mesh& mesh, int co
     element.fail("the mesh has no cell array '" + name + "'" + suggestion(name, names));
   }
   if (found->second.components != components)
-    element.fail("the cell array '" + name + "' has " + std::to_string(found->second.components) + " components where " +
-                 std::to_string(components) + " are needed");
+    element.fail("the cell array '" + name + "' has " + std::to_string(found->second.components) +
+                 " components where " + std::to_string(components) + " are needed");
   return found->second;
 }
 
 std::vector<double> picked(const NamedArray& array, const std::vector<int>& elements, int component) {
   std::vector<double> values;
   for (const int e : elements)
-    values.push_back(array.values.at(static_cast<std::size_t>(e) * static_cast<std::size_t>(array.components) +
-                                     static_cast<std::size_t>(component)));
+    values.push_back(
+        array.values.at(static_cast<std::size_t>(e) * static_cast<std::size_t>(array.components) +
+                        static_cast<std::size_t>(component)));
   return values;
 }
 
-void read_arrays(const XmlElement& material, const LawRule& law, const Mesh& mesh, const std::vector<int>& elements,
-                 MaterialSpec& spec) {
+void read_arrays(const XmlElement& material, const LawRule& law, const Mesh& mesh,
+                 const std::vector<int>& elements, MaterialSpec& spec) {
   const auto names = parameter_names(law);
   for (const auto element : material.all("ElementArray")) {
     const auto& wanted = element->required_attribute("Param");
     const auto found = std::find(names.begin(), names.end(), wanted);
     if (found == names.end())
-      element->fail("the law " + std::string(law.name) + " has no parameter '" + wanted + "'" + suggestion(wanted, names));
+      element->fail("the law " + std::string(law.name) + " has no parameter '" + wanted + "'" +
+                    suggestion(wanted, names));
     spec.element_parameters.emplace_back(static_cast<int>(found - names.begin()),
                                          picked(cell_array(*element, mesh, 1), elements, 0));
   }
   if (const auto element = material.child("FibreArray")) {
-    if (law.direction < 0) element->fail("the law " + std::string(law.name) + " has no fibre direction; TI has one");
+    if (law.direction < 0)
+      element->fail("the law " + std::string(law.name) + " has no fibre direction; TI has one");
     const auto& array = cell_array(*element, mesh, 3);
     std::array<std::vector<double>, 3> a;
     for (int i = 0; i < 3; ++i) a[static_cast<std::size_t>(i)] = picked(array, elements, i);
     for (std::size_t k = 0; k < elements.size(); ++k) {
       const double length = std::sqrt(a[0][k] * a[0][k] + a[1][k] * a[1][k] + a[2][k] * a[2][k]);
-      if (!(length > 0)) element->fail("the fibre direction of element " + std::to_string(elements[k]) + " is the zero vector");
+      if (!(length > 0))
+        element->fail("the fibre direction of element " + std::to_string(elements[k]) +
+                      " is the zero vector");
       for (auto& component : a) component[k] /= length;
     }
-    for (int i = 0; i < 3; ++i) spec.element_parameters.emplace_back(law.direction + i, std::move(a[static_cast<std::size_t>(i)]));
+    for (int i = 0; i < 3; ++i)
+      spec.element_parameters.emplace_back(law.direction + i, std::move(a[static_cast<std::size_t>(i)]));
   }
 }
 

@@ -1,12 +1,10 @@
-#include <glisson/models/format/read_model.hpp>
-
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
-
+#include <glisson/models/format/read_model.hpp>
 #include <glisson/models/format/reader.hpp>
 #include <glisson/models/format/schema.hpp>
+#include <sstream>
 
 namespace glisson {
 namespace detail {
@@ -22,7 +20,8 @@ bool is_file(const fs::path& path) {
 std::string contents_of(const std::string& path, const Place& place) {
   std::ifstream stream(path, std::ios::binary);
   if (!is_file(path) || !stream)
-    throw Error(ErrorKind::input, "the file '" + path + "' cannot be opened; check its name and permissions", place);
+    throw Error(ErrorKind::input, "the file '" + path + "' cannot be opened; check its name and permissions",
+                place);
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream) throw Error(ErrorKind::input, "the file '" + path + "' cannot be read to its end", place);
@@ -37,7 +36,8 @@ void Reader::warn(const XmlElement& element, const std::string& message) const {
 
 void Reader::complain(const XmlElement& element, int line, const std::string& message) const {
   if (!options_.lenient) element.fail(line, message);
-  if (options_.warnings != nullptr) options_.warnings->push_back(located(element.place(line), message + " (ignored)"));
+  if (options_.warnings != nullptr)
+    options_.warnings->push_back(located(element.place(line), message + " (ignored)"));
 }
 
 std::string Reader::find_file(const XmlElement& element, const std::string& path) const {
@@ -45,23 +45,27 @@ std::string Reader::find_file(const XmlElement& element, const std::string& path
   const fs::path beside = fs::path(file_).parent_path() / path;  // an absolute path stays as it is
   if (is_file(beside)) return beside.string();
   if (is_file(path)) {
-    warn(element, "'" + path + "' is not beside the simulation file; the one in the working directory is used");
+    warn(element,
+         "'" + path + "' is not beside the simulation file; the one in the working directory is used");
     return path;
   }
-  element.fail("the file '" + path + "' is neither at '" + beside.string() + "' nor in the working directory '" +
-               fs::current_path().string() + "'");
+  element.fail("the file '" + path + "' is neither at '" + beside.string() +
+               "' nor in the working directory '" + fs::current_path().string() + "'");
 }
 
-std::vector<double> Reader::numbers_in_file(const XmlElement& element, const std::string& path, std::size_t most) const {
+std::vector<double> Reader::numbers_in_file(const XmlElement& element, const std::string& path,
+                                            std::size_t most) const {
   const auto found = find_file(element, path);
   const XmlText text{contents_of(found, element.place()), 1};
   std::vector<double> values;
   for_each_token(text, [&](std::string_view token, int line) {
     const auto value = to_number(token);
     if (!value)
-      throw Error(ErrorKind::input, "'" + std::string(token.substr(0, 40)) + "' is not a finite number", {found, line, ""});
+      throw Error(ErrorKind::input, "'" + std::string(token.substr(0, 40)) + "' is not a finite number",
+                  {found, line, ""});
     if (values.size() == most)
-      throw Error(ErrorKind::input, "the file holds more than the " + std::to_string(most) + " values that are needed",
+      throw Error(ErrorKind::input,
+                  "the file holds more than the " + std::to_string(most) + " values that are needed",
                   {found, line, ""});
     values.push_back(*value);
   });

@@ -1,17 +1,16 @@
 // Reads a simulation file (the NiftySim 2.5 XML format and Glisson's additions, doc/format.md) into a Model.
 #pragma once
 
+#include <glisson/core/model.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <glisson/core/model.hpp>
-
 namespace glisson {
 
 struct ReadOptions {
-  bool lenient = false;      ///< unknown names and repeated elements give a warning instead of an error
-  bool allow_files = true;   ///< false: a mesh or value file named in the XML is an error
+  bool lenient = false;     ///< unknown names and repeated elements give a warning instead of an error
+  bool allow_files = true;  ///< false: a mesh or value file named in the XML is an error
   std::vector<std::string>* warnings = nullptr;  ///< gets one line per warning; nullptr: dropped
 };
 

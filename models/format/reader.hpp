@@ -1,15 +1,15 @@
-// What the parts of the format reader share: where files are looked up, how complaints are made, and the model in work.
+// What the parts of the format reader share: where files are looked up, how complaints are made, and the
+// model in work.
 #pragma once
-
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include <glisson/core/model.hpp>
 #include <glisson/models/format/read_model.hpp>
 #include <glisson/models/format/xml_tree.hpp>
 #include <glisson/models/selection/selection.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace glisson::detail {
 
@@ -25,10 +25,12 @@ class Reader {
   void warn(const XmlElement& element, const std::string& message) const;
   /// Error, or a warning in lenient mode.
   void complain(const XmlElement& element, int line, const std::string& message) const;
-  /// Beside the simulation file, else in the working directory (with a warning), else an error that names both.
+  /// Beside the simulation file, else in the working directory (with a warning), else an error that names
+  /// both.
   std::string find_file(const XmlElement& element, const std::string& path) const;
   /// Whole text of a file of numbers, at most `most` of them.
-  std::vector<double> numbers_in_file(const XmlElement& element, const std::string& path, std::size_t most) const;
+  std::vector<double> numbers_in_file(const XmlElement& element, const std::string& path,
+                                      std::size_t most) const;
 
  private:
   const ReadOptions& options_;
@@ -44,7 +46,9 @@ struct Part {
 /// Which formulation a mesh element's Type gives each shape; empty: elements of that shape are not wanted.
 struct FormulationChoice {
   std::optional<Formulation> tetrahedron, hexahedron;
-  std::optional<Formulation> of(Shape shape) const { return shape == Shape::tetrahedron ? tetrahedron : hexahedron; }
+  std::optional<Formulation> of(Shape shape) const {
+    return shape == Shape::tetrahedron ? tetrahedron : hexahedron;
+  }
 };
 FormulationChoice formulation_choice(const XmlElement& element, const std::string& type);
 std::optional<Formulation> formulation_named(std::string_view name);
@@ -64,12 +68,14 @@ Part read_level(const Reader& reader, const XmlElement& level);
 
 /// The one place that calls the mesh readers.
 Mesh mesh_from_file(const Reader& reader, const XmlElement& element);
-std::shared_ptr<const SurfaceDistance> distance_from_file(const Reader& reader, const XmlElement& element, double reach);
+std::shared_ptr<const SurfaceDistance> distance_from_file(const Reader& reader, const XmlElement& element,
+                                                          double reach);
 
 /// A list of indices, or a single start index for `count` consecutive ones; checked against [0, size).
 std::vector<int> index_list(const XmlElement& element, std::optional<int> count, int size, const char* what);
 
-/// What a constraint acts on: a list in the order of the file (if there is one) and conditions that must hold too.
+/// What a constraint acts on: a list in the order of the file (if there is one) and conditions that must hold
+/// too.
 struct Choice {
   std::optional<std::vector<int>> list;
   Selection filter{Selection::Kind::both, {}, {}, {}, {}};

@@ -1,67 +1,78 @@
-#include <glisson/models/format/schema.hpp>
-
 #include <algorithm>
 #include <array>
-#include <stdexcept>
-
 #include <glisson/models/format/read_model.hpp>
+#include <glisson/models/format/schema.hpp>
+#include <stdexcept>
 
 namespace glisson::detail {
 namespace {
 
-#define GLISSON_LEAVES \
-  "Nodes=Nodes* Normal=Normal* Box=Value* Sphere=Value* HalfSpace=Value* Label=Value* Surface=Empty* All=Empty* " \
+#define GLISSON_LEAVES                                                                                 \
+  "Nodes=Nodes* Normal=Normal* Box=Value* Sphere=Value* HalfSpace=Value* Label=Value* Surface=Empty* " \
+  "All=Empty* "                                                                                        \
   "Distance=Distance* Select=Select* "
 
 constexpr std::array rules{
-    ElementRule{"Model", "units:SI,mm-kg-s",
-                "Nodes=MeshNodes Elements=MeshElements MSHMesh=MeshFile VTKMesh=MeshFile VTUMesh=MeshFile Mesh=MeshFile "
-                "ElementSet=ElementSet* Constraint=Constraint* SubModel=SubModel* SubModelNodeMergerDistance=Value "
-                "ContactCylinder=Cylinder* ContactUSProbe=Cylinder* ContactPlate=Plate* Output=Output "
-                "SystemParams=SystemParams ShellElements=NotBuilt ShellElementSet=NotBuilt* ContactSurface=NotBuilt* "
-                "KinematicContact=NotBuilt* ReducedBasis=NotBuilt"},
-    ElementRule{"SubModel", "",
-                "Nodes=MeshNodes Elements=MeshElements MSHMesh=MeshFile VTKMesh=MeshFile VTUMesh=MeshFile Mesh=MeshFile "
-                "ElementSet=ElementSet* Constraint=Constraint* SubModel=SubModel* SubModelNodeMergerDistance=Value "
-                "ShellElements=NotBuilt ShellElementSet=NotBuilt*"},
+    ElementRule{
+        "Model", "units:SI,mm-kg-s",
+        "Nodes=MeshNodes Elements=MeshElements MSHMesh=MeshFile VTKMesh=MeshFile VTUMesh=MeshFile "
+        "Mesh=MeshFile "
+        "ElementSet=ElementSet* Constraint=Constraint* SubModel=SubModel* SubModelNodeMergerDistance=Value "
+        "ContactCylinder=Cylinder* ContactUSProbe=Cylinder* ContactPlate=Plate* Output=Output "
+        "SystemParams=SystemParams ShellElements=NotBuilt ShellElementSet=NotBuilt* ContactSurface=NotBuilt* "
+        "KinematicContact=NotBuilt* ReducedBasis=NotBuilt"},
+    ElementRule{
+        "SubModel", "",
+        "Nodes=MeshNodes Elements=MeshElements MSHMesh=MeshFile VTKMesh=MeshFile VTUMesh=MeshFile "
+        "Mesh=MeshFile "
+        "ElementSet=ElementSet* Constraint=Constraint* SubModel=SubModel* SubModelNodeMergerDistance=Value "
+        "ShellElements=NotBuilt ShellElementSet=NotBuilt*"},
     ElementRule{"MeshNodes", "NumNodes DOF:3", "", true},
     ElementRule{"MeshElements", "NumEls Type", "", true},
     ElementRule{"MeshFile", "Type", "Translation=Value Rotation=Value ScaleFactor=Value", true},
-    ElementRule{"ElementSet", "Size Label Formulation:T4,T4ANP,H8,H8FixedHourglass,H8Full", "Material=Material", true},
-    ElementRule{"Material", "Type:LE,NH,AB,PY,TI,OG,NHV,TIV",
-                "ElasticParams=ElasticParams ViscoParams=ViscoParams Density=Value ElementArray=ElementArray* "
-                "FibreArray=Value"},
+    ElementRule{"ElementSet", "Size Label Formulation:T4,T4ANP,H8,H8FixedHourglass,H8Full",
+                "Material=Material", true},
+    ElementRule{
+        "Material", "Type:LE,NH,AB,PY,TI,OG,NHV,TIV",
+        "ElasticParams=ElasticParams ViscoParams=ViscoParams Density=Value ElementArray=ElementArray* "
+        "FibreArray=Value"},
     ElementRule{"ElasticParams", "NumParams", "", true},
     ElementRule{"ViscoParams", "NumIsoTerms NumVolTerms", "", true},
     ElementRule{"ElementArray", "Param", "", true},
-    ElementRule{"Constraint",
-                "Type:Fix,Disp,Force,Gravity,Pressure,Traction,Spring,SlidingPlane,Symmetry,InitialVelocity "
-                "DOF:0,1,2,all LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE NumNodes "
-                "SpecType:NODES,NORMAL,BOX,SPHERE,HALFSPACE,LABEL,SURFACE,DISTANCE,SELECT NumFaces FaceType:Tri,Quad "
-                "StartTime EndTime Release:0,1 TargetLoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE",
-                GLISSON_LEAVES
-                "RestrictTo=RestrictTo* Faces=Value Magnitudes=Magnitudes Magnitude=Value AccelerationMagnitude=Value "
-                "AccelerationDirection=Value Table=Value TargetTable=Value Stiffness=Magnitudes Targets=Magnitudes "
-                "StrainEnergyCap=Value PlaneNormal=Value Velocity=Value"},
+    ElementRule{
+        "Constraint",
+        "Type:Fix,Disp,Force,Gravity,Pressure,Traction,Spring,SlidingPlane,Symmetry,InitialVelocity "
+        "DOF:0,1,2,all LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE NumNodes "
+        "SpecType:NODES,NORMAL,BOX,SPHERE,HALFSPACE,LABEL,SURFACE,DISTANCE,SELECT NumFaces FaceType:Tri,Quad "
+        "StartTime EndTime Release:0,1 TargetLoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE",
+        GLISSON_LEAVES
+        "RestrictTo=RestrictTo* Faces=Value Magnitudes=Magnitudes Magnitude=Value "
+        "AccelerationMagnitude=Value "
+        "AccelerationDirection=Value Table=Value TargetTable=Value Stiffness=Magnitudes Targets=Magnitudes "
+        "StrainEnergyCap=Value PlaneNormal=Value Velocity=Value"},
     ElementRule{"Magnitudes", "Type:UNIFORM,DIFFORM,FILE", "", true},
     ElementRule{"Select", "Op:and,or,not", GLISSON_LEAVES},
-    ElementRule{"RestrictTo", "Type:Box,Sphere,HalfSpace,Normal,Label,Nodes,Surface,Distance Invert:0,1 ToleranceAngle Max",
+    ElementRule{"RestrictTo",
+                "Type:Box,Sphere,HalfSpace,Normal,Label,Nodes,Surface,Distance Invert:0,1 ToleranceAngle Max",
                 "", true},
     ElementRule{"Nodes", "NumNodes", "", true},
     ElementRule{"Normal", "ToleranceAngle", "", true},
     ElementRule{"Distance", "Max", "", true},
-    ElementRule{"Cylinder", "LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",
-                "Origin=Value Axis=Value Radius=Value Length=Value OrigDisp=Value RadChange=Value SlvNodes=Nodes "
-                "Table=Value"},
+    ElementRule{
+        "Cylinder", "LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",
+        "Origin=Value Axis=Value Radius=Value Length=Value OrigDisp=Value RadChange=Value SlvNodes=Nodes "
+        "Table=Value"},
     ElementRule{"Plate", "LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",
                 "a=Value b=Value c=Value Disp=Value SlvNodes=Nodes Table=Value"},
     ElementRule{"Output", "Freq", "Variable=Value*"},
-    ElementRule{"SystemParams", "",
-                "TimeStep=Value TotalTime=Value DampingCoeff=Value Density=Value HGKappa=Value ROM=Value "
-                "DoDeformableCollision=Collision DoSelfCollision=Collision DoMultiPassContacts=Value BVType=Value "
-                "DeformableFrictionCoefficient=Value ContactSafetyMargin=Value RateConstraintDistance=Value "
-                "SafetyFactor=Value TimeStepper=Value MassScaling=Value QuasiStatic=QuasiStatic EnergyTolerance=Value "
-                "MonitorFreq=Value"},
+    ElementRule{
+        "SystemParams", "",
+        "TimeStep=Value TotalTime=Value DampingCoeff=Value Density=Value HGKappa=Value ROM=Value "
+        "DoDeformableCollision=Collision DoSelfCollision=Collision DoMultiPassContacts=Value BVType=Value "
+        "DeformableFrictionCoefficient=Value ContactSafetyMargin=Value RateConstraintDistance=Value "
+        "SafetyFactor=Value TimeStepper=Value MassScaling=Value QuasiStatic=QuasiStatic "
+        "EnergyTolerance=Value "
+        "MonitorFreq=Value"},
     ElementRule{"Collision", "Type", "", true},
     ElementRule{"QuasiStatic", "", "ForceTolerance=Value DisplacementTolerance=Value MaxSteps=Value"},
     ElementRule{"Value", "", "", true},

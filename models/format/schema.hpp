@@ -1,13 +1,12 @@
-// The grammar of a simulation file as one table: which elements may stand where, with which attributes and values.
-// Unknown names are found with it, suggestions come from it, and glisson.xsd is written from it.
+// The grammar of a simulation file as one table: which elements may stand where, with which attributes and
+// values. Unknown names are found with it, suggestions come from it, and glisson.xsd is written from it.
 #pragma once
 
+#include <glisson/models/format/xml_tree.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <glisson/models/format/xml_tree.hpp>
 
 namespace glisson::detail {
 
@@ -38,7 +37,8 @@ std::vector<AttributeRule> attributes_of(const ElementRule& rule);
 std::vector<ChildRule> children_of(const ElementRule& rule);
 
 class Reader;
-/// Throws Error(input), or warns in lenient mode, for the first unknown element, attribute, stray text or repeated element.
+/// Throws Error(input), or warns in lenient mode, for the first unknown element, attribute, stray text or
+/// repeated element.
 void check_names(const Reader& reader, const XmlElement& root);
 
 }  // namespace glisson::detail

@@ -1,4 +1,5 @@
-// A level of the tree: its own mesh, or its sub-models joined in the order of the document and merged where they touch.
+// A level of the tree: its own mesh, or its sub-models joined in the order of the document and merged where
+// they touch.
 #include <glisson/models/format/join_parts.hpp>
 
 namespace glisson::detail {
@@ -17,7 +18,8 @@ void merge(const Reader& reader, const XmlElement& level, Part& part) {
   const double value = distance->number();
   if (!(value > 0)) return;  // as the format says: no merging
   const int merged = merge_nodes(part, value, *distance);
-  if (merged == 0) reader.warn(*distance, "no two nodes are that near, so the sub-models are not connected by it");
+  if (merged == 0)
+    reader.warn(*distance, "no two nodes are that near, so the sub-models are not connected by it");
 }
 
 }  // namespace

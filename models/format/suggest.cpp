@@ -1,9 +1,7 @@
-#include <glisson/models/format/suggest.hpp>
-
 #include <algorithm>
-#include <numeric>
-
+#include <glisson/models/format/suggest.hpp>
 #include <glisson/models/format/xml_tree.hpp>
+#include <numeric>
 
 namespace glisson::detail {
 
@@ -15,7 +13,8 @@ int edit_distance(std::string_view raw_a, std::string_view raw_b) {
     now[0] = static_cast<int>(i);
     for (std::size_t j = 1; j <= b.size(); ++j) {
       now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) now[j] = std::min(now[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        now[j] = std::min(now[j], before[j - 2] + 1);
     }
     std::swap(before, last);
     std::swap(last, now);

@@ -1,6 +1,5 @@
 // SystemParams and Output: time settings, defaults of sections, what is written.
 #include <algorithm>
-
 #include <glisson/models/format/reader.hpp>
 #include <glisson/models/format/suggest.hpp>
 
@@ -23,8 +22,8 @@ void refuse_unbuilt(const Reader& reader, const XmlElement& system) {
   for (const auto name : {"DoDeformableCollision", "DoSelfCollision", "ROM"})
     if (const auto element = system.child(name); element != nullptr && element->integer() != 0)
       element->fail("this feature is not supported yet; set it to 0 to run without it");
-  for (const auto name : {"DoMultiPassContacts", "BVType", "DeformableFrictionCoefficient", "ContactSafetyMargin",
-                          "RateConstraintDistance"})
+  for (const auto name : {"DoMultiPassContacts", "BVType", "DeformableFrictionCoefficient",
+                          "ContactSafetyMargin", "RateConstraintDistance"})
     if (const auto element = system.child(name))
       reader.warn(*element, "it has no effect: there is no contact between meshes in this model");
 }
@@ -39,7 +38,8 @@ Stepper stepper_named(const XmlElement& element) {
 QuasiStatic read_quasi_static(const XmlElement& element) {
   QuasiStatic settings;
   if (const auto child = element.child("ForceTolerance")) settings.force_tolerance = positive(*child);
-  if (const auto child = element.child("DisplacementTolerance")) settings.displacement_tolerance = positive(*child);
+  if (const auto child = element.child("DisplacementTolerance"))
+    settings.displacement_tolerance = positive(*child);
   if (const auto child = element.child("MaxSteps")) {
     settings.max_steps = child->integer();
     if (settings.max_steps < 1) child->fail("it is " + child->text() + ", but must be at least 1");
@@ -56,7 +56,8 @@ void read_times(const XmlElement& system, TimeSettings& time) {
   if (const auto child = system.child("TimeStep"); child != nullptr && child->required_text() != "auto")
     time.step = positive(*child);
   if (time.step && time.total > 0 && *time.step > time.total)
-    system.child("TimeStep")->fail("a step of " + system.child("TimeStep")->text() + " is longer than TotalTime");
+    system.child("TimeStep")
+        ->fail("a step of " + system.child("TimeStep")->text() + " is longer than TotalTime");
 }
 
 }  // namespace
@@ -68,14 +69,16 @@ void read_system_params(Reader& reader, const XmlElement& model, TimeSettings& t
   if (const auto child = system.child("DampingCoeff")) time.damping = not_negative(*child);
   if (const auto child = system.child("SafetyFactor")) {
     time.safety = positive(*child);
-    if (time.safety > 1) child->fail("it is " + child->text() + ": above 1 the step is not stable; use 0.5 to 0.9");
+    if (time.safety > 1)
+      child->fail("it is " + child->text() + ": above 1 the step is not stable; use 0.5 to 0.9");
   }
   if (const auto child = system.child("TimeStepper")) time.stepper = stepper_named(*child);
   if (const auto child = system.child("MassScaling")) time.mass_scaling_step = positive(*child);
   if (const auto child = system.child("EnergyTolerance")) time.energy_tolerance = child->number();
   if (const auto child = system.child("MonitorFreq")) {
     const auto every = child->integer();
-    if (every < 0 || every > 1'000'000'000) child->fail("it is " + child->text() + ", but must be 0 to 1e9 steps");
+    if (every < 0 || every > 1'000'000'000)
+      child->fail("it is " + child->text() + ", but must be 0 to 1e9 steps");
     time.monitor_every = static_cast<int>(every);
   }
   if (const auto child = system.child("Density")) reader.density = positive(*child);
@@ -87,7 +90,9 @@ void read_output(const XmlElement& model, OutputSettings& output) {
   const auto element = model.child("Output");
   if (element == nullptr) return;
   output.every = element->integer_attribute("Freq").value_or(0);
-  if (output.every < 0) element->fail("Freq=\"" + std::to_string(output.every) + "\" is negative; give the steps between snapshots");
+  if (output.every < 0)
+    element->fail("Freq=\"" + std::to_string(output.every) +
+                  "\" is negative; give the steps between snapshots");
   const std::vector<std::string> known{"U", "F", "S", "E", "EKin", "EStrain"};
   for (const auto variable : element->all("Variable")) {
     const auto name = variable->required_text();

@@ -1,10 +1,9 @@
-#include <glisson/models/format/xml_tree.hpp>
-
 #include <tinyxml2.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <glisson/models/format/xml_tree.hpp>
 #include <limits>
 
 namespace glisson::detail {
@@ -19,7 +18,8 @@ XmlElement copy(const tinyxml2::XMLElement& from, const std::string* file) {
   to.file = file;
   for (auto a = from.FirstAttribute(); a != nullptr; a = a->Next()) {
     if (to.attribute(a->Name()) != nullptr)
-      to.fail(a->GetLineNum(), std::string("attribute ") + a->Name() + " is given twice (names compare without case)");
+      to.fail(a->GetLineNum(),
+              std::string("attribute ") + a->Name() + " is given twice (names compare without case)");
     to.attributes.push_back({a->Name(), a->Value(), a->GetLineNum()});
   }
   for (auto node = from.FirstChild(); node != nullptr; node = node->NextSibling()) {
@@ -31,17 +31,28 @@ XmlElement copy(const tinyxml2::XMLElement& from, const std::string* file) {
 
 const char* reason_of(tinyxml2::XMLError error) {
   switch (error) {
-    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT: return "the document is empty";
-    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: return "an element is closed by another name than it was opened with";
-    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE: return "an attribute is not of the form name=\"value\" or is given twice";
-    case tinyxml2::XML_ERROR_PARSING_ELEMENT: return "an element is not well formed";
-    case tinyxml2::XML_ERROR_PARSING_TEXT: return "a text is not ended by an element: an end tag is missing";
-    case tinyxml2::XML_ERROR_PARSING_COMMENT: return "a comment is not ended by -->";
-    case tinyxml2::XML_ERROR_PARSING_CDATA: return "a CDATA section is not ended by ]]>";
-    case tinyxml2::XML_ERROR_PARSING_DECLARATION: return "a declaration is misplaced or not ended by ?>";
-    case tinyxml2::XML_ERROR_PARSING_UNKNOWN: return "a <! section is not ended by >";
-    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED: return "elements are nested too deeply (more than 100)";
-    default: return "a tag is open or misplaced (is an end tag missing?)";
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "the document is empty";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "an element is closed by another name than it was opened with";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute is not of the form name=\"value\" or is given twice";
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "an element is not well formed";
+    case tinyxml2::XML_ERROR_PARSING_TEXT:
+      return "a text is not ended by an element: an end tag is missing";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "a comment is not ended by -->";
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+      return "a CDATA section is not ended by ]]>";
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      return "a declaration is misplaced or not ended by ?>";
+    case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
+      return "a <! section is not ended by >";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return "elements are nested too deeply (more than 100)";
+    default:
+      return "a tag is open or misplaced (is an end tag missing?)";
   }
 }
 
@@ -62,7 +73,8 @@ std::string lower(std::string_view text) {
 }
 
 bool same_name(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
 }
 
 std::optional<double> to_number(std::string_view token) {
@@ -104,7 +116,8 @@ std::vector<const XmlElement*> XmlElement::all(std::string_view wanted) const {
 
 const std::string& XmlElement::required_attribute(std::string_view wanted) const {
   const auto found = attribute(wanted);
-  if (found == nullptr) fail("the attribute " + std::string(wanted) + " is missing; add " + std::string(wanted) + "=\"...\"");
+  if (found == nullptr)
+    fail("the attribute " + std::string(wanted) + " is missing; add " + std::string(wanted) + "=\"...\"");
   return found->value;
 }
 
@@ -144,7 +157,8 @@ std::vector<double> XmlElement::numbers() const {
     for_each_token(chunk, [&](std::string_view token, int at_line) {
       const auto value = to_number(token);
       if (!value)
-        fail(at_line, "'" + std::string(shown(token)) + "' is not a finite number; write numbers separated by blanks");
+        fail(at_line,
+             "'" + std::string(shown(token)) + "' is not a finite number; write numbers separated by blanks");
       values.push_back(*value);
     });
   return values;
@@ -153,7 +167,8 @@ std::vector<double> XmlElement::numbers() const {
 std::vector<double> XmlElement::numbers(std::size_t count) const {
   auto values = numbers();
   if (values.size() != count)
-    fail("it holds " + std::to_string(values.size()) + " numbers where " + std::to_string(count) + " are needed");
+    fail("it holds " + std::to_string(values.size()) + " numbers where " + std::to_string(count) +
+         " are needed");
   return values;
 }
 
@@ -163,7 +178,8 @@ std::vector<int> XmlElement::integers() const {
     for_each_token(chunk, [&](std::string_view token, int at_line) {
       const auto value = to_integer(token);
       if (!value || *value > std::numeric_limits<int>::max() || *value < std::numeric_limits<int>::min())
-        fail(at_line, "'" + std::string(shown(token)) + "' is not a whole number; write numbers separated by blanks");
+        fail(at_line,
+             "'" + std::string(shown(token)) + "' is not a whole number; write numbers separated by blanks");
       values.push_back(static_cast<int>(*value));
     });
   return values;
@@ -179,7 +195,8 @@ std::optional<double> XmlElement::number_attribute(std::string_view wanted) cons
   const auto found = attribute(wanted);
   if (found == nullptr) return {};
   const auto value = to_number(trimmed(found->value));
-  if (!value) fail(found->line, found->name + "=\"" + std::string(shown(found->value)) + "\" is not a finite number");
+  if (!value)
+    fail(found->line, found->name + "=\"" + std::string(shown(found->value)) + "\" is not a finite number");
   return value;
 }
 
@@ -195,13 +212,15 @@ std::optional<int> XmlElement::integer_attribute(std::string_view wanted) const 
 void parse_xml(std::string_view xml, const std::string& file, XmlDocument& document) {
   document.file = file;
   if (xml.find('\0') != std::string_view::npos)
-    throw Error(ErrorKind::input, "the file holds a zero byte, so it is not a text file in XML", {file, 0, ""});
+    throw Error(ErrorKind::input, "the file holds a zero byte, so it is not a text file in XML",
+                {file, 0, ""});
   tinyxml2::XMLDocument tree;
   if (tree.Parse(xml.data(), xml.size()) != tinyxml2::XML_SUCCESS)
     throw Error(ErrorKind::input, std::string("this is not well-formed XML: ") + reason_of(tree.ErrorID()),
                 {file, tree.ErrorLineNum(), ""});
   const auto root = tree.RootElement();
-  if (root == nullptr) throw Error(ErrorKind::input, "the document has no element; a <Model> is needed", {file, 0, ""});
+  if (root == nullptr)
+    throw Error(ErrorKind::input, "the document has no element; a <Model> is needed", {file, 0, ""});
   if (const auto next = root->NextSiblingElement())
     throw Error(ErrorKind::input, "there is a second root element; put everything inside one <Model>",
                 {file, next->GetLineNum(), std::string("<") + next->Name() + ">"});

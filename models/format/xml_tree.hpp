@@ -1,13 +1,13 @@
 // The XML document as a plain tree with line numbers, and the conversion of its text to numbers.
-// Names compare without case; an element's text is all of its text chunks, so a comment never glues two numbers.
+// Names compare without case; an element's text is all of its text chunks, so a comment never glues two
+// numbers.
 #pragma once
 
+#include <glisson/core/base/error.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <glisson/core/base/error.hpp>
 
 namespace glisson::detail {
 
@@ -56,7 +56,9 @@ class XmlElement {
 
   Place place() const { return {*file, line, "<" + name + ">"}; }
   Place place(int at_line) const { return {*file, at_line, "<" + name + ">"}; }
-  [[noreturn]] void fail(const std::string& message) const { throw Error(ErrorKind::input, message, place()); }
+  [[noreturn]] void fail(const std::string& message) const {
+    throw Error(ErrorKind::input, message, place());
+  }
   [[noreturn]] void fail(int at_line, const std::string& message) const {
     throw Error(ErrorKind::input, message, place(at_line));
   }

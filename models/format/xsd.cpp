@@ -1,8 +1,8 @@
-// The grammar as an XML schema (W3C XML Schema 1.0) for editors. The reader takes any case; the schema has the usual one.
-#include <sstream>
-
+// The grammar as an XML schema (W3C XML Schema 1.0) for editors. The reader takes any case; the schema has
+// the usual one.
 #include <glisson/models/format/read_model.hpp>
 #include <glisson/models/format/schema.hpp>
+#include <sstream>
 
 namespace glisson {
 namespace {
@@ -39,7 +39,8 @@ void write_type(std::ostream& out, const ElementRule& rule) {
 std::string make_xsd() {
   std::ostringstream out;
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-         "<!-- Simulation files of Glisson; written from the table in models/format/schema.cpp, do not edit. -->\n"
+         "<!-- Simulation files of Glisson; written from the table in models/format/schema.cpp, do not edit. "
+         "-->\n"
          "<xs:schema xmlns:xs=\"http://www.w3.org/2001/XMLSchema\">\n"
          "  <xs:element name=\""
       << detail::root_kind << "\" type=\"" << detail::root_kind << "\"/>\n";

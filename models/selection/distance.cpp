@@ -1,9 +1,7 @@
-#include <glisson/models/selection/distance.hpp>
-
 #include <algorithm>
 #include <cmath>
-
 #include <glisson/core/base/error.hpp>
+#include <glisson/models/selection/distance.hpp>
 
 namespace glisson {
 namespace {
@@ -37,7 +35,8 @@ Vec3<double> closest_point(const Vec3<double>& p, const Vec3<double>& a, const V
   const double vb = d5 * d2 - d1 * d6;
   if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + (d2 > d6 ? d2 / (d2 - d6) : 0.0) * ac;
   const double va = d3 * d6 - d5 * d4, along = d4 - d3, back = d5 - d6;
-  if (va <= 0 && along >= 0 && back >= 0) return b + (along + back > 0 ? along / (along + back) : 0.0) * (c - b);
+  if (va <= 0 && along >= 0 && back >= 0)
+    return b + (along + back > 0 ? along / (along + back) : 0.0) * (c - b);
   const double sum = va + vb + vc;
   return a + (vb / sum) * ab + (vc / sum) * ac;
 }
@@ -87,7 +86,8 @@ bool SurfaceDistance::fill_cells() {
     const Range range = cells_near(triangle);
     for (int k = range.low[2]; k <= range.high[2]; ++k)
       for (int j = range.low[1]; j <= range.high[1]; ++j)
-        for (int i = range.low[0]; i <= range.high[0]; ++i) body(static_cast<std::size_t>(cell_index(i, j, k)));
+        for (int i = range.low[0]; i <= range.high[0]; ++i)
+          body(static_cast<std::size_t>(cell_index(i, j, k)));
   };
   begin_.assign(static_cast<std::size_t>(cell_index(0, 0, count_[2])) + 1, 0);
   const std::size_t most = 200 * triangles_.size() + 100'000;
@@ -108,7 +108,8 @@ bool SurfaceDistance::fill_cells() {
 }
 
 bool SurfaceDistance::within(const Vec3<double>& x, double reach) const {
-  if (x.x < low_.x || x.y < low_.y || x.z < low_.z || x.x > high_.x || x.y > high_.y || x.z > high_.z) return false;
+  if (x.x < low_.x || x.y < low_.y || x.z < low_.z || x.x > high_.x || x.y > high_.y || x.z > high_.z)
+    return false;
   const auto cell = [&](double offset, int axis) {
     return static_cast<int>(std::clamp(offset / cell_, 0.0, count_[static_cast<std::size_t>(axis)] - 1.0));
   };

@@ -1,22 +1,24 @@
-// Distance from points to a surface of triangles and quadrilaterals, for choosing nodes near an organ's neighbour.
+// Distance from points to a surface of triangles and quadrilaterals, for choosing nodes near an organ's
+// neighbour.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <vector>
-
 #include <glisson/core/mesh/mesh.hpp>
+#include <vector>
 
 namespace glisson {
 
-/// Closest point of triangle abc to p, by the regions of its vertices, edges and face (Ericson 2005, section 5.1.5).
+/// Closest point of triangle abc to p, by the regions of its vertices, edges and face (Ericson 2005,
+/// section 5.1.5).
 Vec3<double> closest_point(const Vec3<double>& p, const Vec3<double>& a, const Vec3<double>& b,
                            const Vec3<double>& c);
 
 /// Answers "is x within `reach` of the surface" with a grid of cells that list the triangles near them.
 class SurfaceDistance {
  public:
-  /// `reach` [m] is the largest distance that will be asked for; > 0. Throws Error(input) for a surface without facets.
+  /// `reach` [m] is the largest distance that will be asked for; > 0. Throws Error(input) for a surface
+  /// without facets.
   SurfaceDistance(const SurfaceMesh& surface, double reach);
 
   /// distance <= reach

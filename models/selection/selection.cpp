@@ -1,10 +1,8 @@
-#include <glisson/models/selection/selection.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
 #include <glisson/core/mesh/surface.hpp>
+#include <glisson/models/selection/selection.hpp>
+#include <numbers>
 
 namespace glisson {
 namespace {
@@ -14,14 +12,18 @@ using Kind = Selection::Kind;
 bool in_region(const Selection& s, const Vec3<double>& x) {
   const auto& v = s.numbers;
   switch (s.kind) {
-    case Kind::box: return v[0] <= x.x && x.x <= v[1] && v[2] <= x.y && x.y <= v[3] && v[4] <= x.z && x.z <= v[5];
+    case Kind::box:
+      return v[0] <= x.x && x.x <= v[1] && v[2] <= x.y && x.y <= v[3] && v[4] <= x.z && x.z <= v[5];
     case Kind::sphere: {
       const Vec3<double> d = x - Vec3<double>{v[1], v[2], v[3]};
       return std::sqrt(dot(d, d)) < v[0];
     }
-    case Kind::half_space: return dot(x - Vec3<double>{v[0], v[1], v[2]}, Vec3<double>{v[3], v[4], v[5]}) >= 0;
-    case Kind::distance: return s.to_surface->within(x, v[0]);
-    default: return true;
+    case Kind::half_space:
+      return dot(x - Vec3<double>{v[0], v[1], v[2]}, Vec3<double>{v[3], v[4], v[5]}) >= 0;
+    case Kind::distance:
+      return s.to_surface->within(x, v[0]);
+    default:
+      return true;
   }
 }
 
@@ -46,7 +48,8 @@ std::vector<char> combined(const Selection& s, std::size_t size, MaskOf mask_of)
   for (const auto& part : s.parts) {
     const std::vector<char> other = mask_of(part);
     for (std::size_t i = 0; i < size; ++i)
-      mask[i] = s.kind == Kind::both ? static_cast<char>(mask[i] & other[i]) : static_cast<char>(mask[i] | other[i]);
+      mask[i] = s.kind == Kind::both ? static_cast<char>(mask[i] & other[i])
+                                     : static_cast<char>(mask[i] | other[i]);
   }
   if (s.kind == Kind::neither)
     for (auto& m : mask) m = m == 0;
@@ -91,7 +94,8 @@ std::vector<char> SelectionMesh::node_mask(const Selection& s) const {
 
 std::vector<char> SelectionMesh::facet_mask(const Selection& s) const {
   const auto& all = surface();
-  if (combines(s.kind)) return combined(s, all.size(), [&](const Selection& part) { return facet_mask(part); });
+  if (combines(s.kind))
+    return combined(s, all.size(), [&](const Selection& part) { return facet_mask(part); });
   const auto listed_nodes = s.kind == Kind::nodes ? listed(s.integers, mesh_.X.size()) : std::vector<char>();
   std::vector<char> mask(all.size(), 1);
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -1,28 +1,28 @@
-// Which nodes or surface facets a load or a boundary condition acts on, by place, direction, label or distance,
-// combined by and, or, not. All in the rest configuration.
+// Which nodes or surface facets a load or a boundary condition acts on, by place, direction, label or
+// distance, combined by and, or, not. All in the rest configuration.
 #pragma once
 
 #include <array>
+#include <glisson/core/mesh/mesh.hpp>
+#include <glisson/models/selection/distance.hpp>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include <glisson/core/mesh/mesh.hpp>
-#include <glisson/models/selection/distance.hpp>
-
 namespace glisson {
 
-/// A tree: leaves are sets, inner nodes combine them. As a set of facets, a region in space holds the facets whose centre
-/// it holds, a list of nodes the facets that have all their nodes in it, and a label those of the labelled elements.
+/// A tree: leaves are sets, inner nodes combine them. As a set of facets, a region in space holds the facets
+/// whose centre it holds, a list of nodes the facets that have all their nodes in it, and a label those of
+/// the labelled elements.
 struct Selection {
   enum class Kind {
-    all,         ///< every node; every facet of the outer surface
-    surface,     ///< nodes of the outer surface; every facet of it
-    nodes,       ///< `integers`: node indices
-    label,       ///< `integers`: element labels
-    normal,      ///< numbers: direction x y z (unit), angle [degrees]: outward normal within less than the angle
-    box,         ///< numbers: xmin xmax ymin ymax zmin zmax, ends included
-    sphere,      ///< numbers: radius, centre x y z; |x - c| < r
+    all,      ///< every node; every facet of the outer surface
+    surface,  ///< nodes of the outer surface; every facet of it
+    nodes,    ///< `integers`: node indices
+    label,    ///< `integers`: element labels
+    normal,   ///< numbers: direction x y z (unit), angle [degrees]: outward normal within less than the angle
+    box,      ///< numbers: xmin xmax ymin ymax zmin zmax, ends included
+    sphere,   ///< numbers: radius, centre x y z; |x - c| < r
     half_space,  ///< numbers: point x y z, normal x y z; (x - p) . n >= 0
     distance,    ///< numbers: largest distance [m] to `surface`, included
     both,        ///< in every one of `parts`

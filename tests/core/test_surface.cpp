@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-
 #include <glisson/core/mesh/surface.hpp>
 
 namespace glisson {
@@ -11,14 +10,16 @@ namespace {
 Mesh cube(std::vector<std::pair<Shape, std::vector<int>>> elements) {
   Mesh mesh;
   mesh.X = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-  for (int k = 0; k < 4; ++k) mesh.X.push_back(mesh.X[4 + static_cast<std::size_t>(k)] + Vec3<double>{0, 0, 1});
+  for (int k = 0; k < 4; ++k)
+    mesh.X.push_back(mesh.X[4 + static_cast<std::size_t>(k)] + Vec3<double>{0, 0, 1});
   for (const auto& [shape, nodes] : elements) mesh.add_element(shape, nodes);
   return mesh;
 }
 
 const std::pair<Shape, std::vector<int>> lower_hexahedron{Shape::hexahedron, {0, 1, 2, 3, 4, 5, 6, 7}};
 const std::pair<Shape, std::vector<int>> upper_hexahedron{Shape::hexahedron, {4, 5, 6, 7, 8, 9, 10, 11}};
-const std::vector<std::vector<int>> five{{0, 1, 3, 4}, {1, 2, 3, 6}, {1, 6, 4, 5}, {3, 4, 6, 7}, {1, 3, 4, 6}};
+const std::vector<std::vector<int>> five{
+    {0, 1, 3, 4}, {1, 2, 3, 6}, {1, 6, 4, 5}, {3, 4, 6, 7}, {1, 3, 4, 6}};
 
 double area_of(const std::vector<Facet>& facets, const Mesh& mesh) {
   double area = 0;

@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-#include <vector>
-
 #include <glisson/core/base/error.hpp>
 #include <glisson/models/format/read_model.hpp>
+#include <string>
+#include <vector>
 
 namespace glisson::test {
 
@@ -49,7 +48,9 @@ inline std::string replaced(std::string text, const std::string& what, const std
 }
 
 /// The base file with more children of Model before SystemParams.
-inline std::string with(const std::string& more) { return replaced(base_xml, "  <SystemParams>", more + "  <SystemParams>"); }
+inline std::string with(const std::string& more) {
+  return replaced(base_xml, "  <SystemParams>", more + "  <SystemParams>");
+}
 
 inline Model parsed(const std::string& xml, std::vector<std::string>* warnings = nullptr) {
   return parse_model(xml, "test.xml", {.allow_files = false, .warnings = warnings});

@@ -1,8 +1,7 @@
 // Every element and attribute of the format at least once, and its meaning in the model.
-#include <tests/models/format_base.hpp>
-
-#include <cmath>
 #include <algorithm>
+#include <cmath>
+#include <tests/models/format_base.hpp>
 
 namespace glisson::test {
 namespace {
@@ -15,13 +14,18 @@ std::string constraint(const std::string& attributes, const std::string& childre
 std::string material(const std::string& type, const std::string& parameters, const std::string& more = "") {
   std::string xml = replaced(base_xml, "Type=\"NH\"", "Type=\"" + type + "\"");
   const auto count = 1 + std::count(parameters.begin(), parameters.end(), ' ');
-  return replaced(xml, "<ElasticParams NumParams=\"2\">1000 50000</ElasticParams>",
-                  "<ElasticParams NumParams=\"" + std::to_string(count) + "\">" + parameters + "</ElasticParams>" + more);
+  return replaced(
+      xml, "<ElasticParams NumParams=\"2\">1000 50000</ElasticParams>",
+      "<ElasticParams NumParams=\"" + std::to_string(count) + "\">" + parameters + "</ElasticParams>" + more);
 }
 
 TEST(FormatMaterials, EachLawKeepsItsParametersInOrder) {
-  for (const auto& [type, parameters] : std::vector<std::pair<std::string, std::vector<double>>>{
-           {"LE", {1, 2}}, {"NH", {1, 2}}, {"AB", {1, 2, 3}}, {"PY", {1, 2, 3, 4, 5, 6}}, {"OG", {1, 2, 3, 4, 5, 6, 7}}}) {
+  for (const auto& [type, parameters] :
+       std::vector<std::pair<std::string, std::vector<double>>>{{"LE", {1, 2}},
+                                                                {"NH", {1, 2}},
+                                                                {"AB", {1, 2, 3}},
+                                                                {"PY", {1, 2, 3, 4, 5, 6}},
+                                                                {"OG", {1, 2, 3, 4, 5, 6, 7}}}) {
     std::string text;
     for (const double p : parameters) text += (text.empty() ? "" : " ") + std::to_string(static_cast<int>(p));
     const auto model = parsed(material(type, text));
@@ -36,12 +40,15 @@ TEST(FormatMaterials, FibreDirectionsAreScaledToOne) {
 }
 
 TEST(FormatMaterials, OgdenMayHaveFewerTerms) {
-  EXPECT_EQ(parsed(material("OG", "10 2 99")).sections[0].material.parameters, (std::vector<double>{10, 2, 0, 2, 0, 2, 99}));
+  EXPECT_EQ(parsed(material("OG", "10 2 99")).sections[0].material.parameters,
+            (std::vector<double>{10, 2, 0, 2, 0, 2, 99}));
 }
 
 TEST(FormatMaterials, PronyTermsOfEitherKindWithEveryLaw) {
-  const std::string terms = "<ViscoParams NumIsoTerms=\"2\" NumVolTerms=\"1\">0.1 1 0.2 2  0.3 3</ViscoParams>";
-  for (const auto& [type, parameters] : {std::pair<std::string, std::string>{"NHV", "1 2"}, {"TIV", "1 2 3 0 0 1"}, {"LE", "1 0.3"}}) {
+  const std::string terms =
+      "<ViscoParams NumIsoTerms=\"2\" NumVolTerms=\"1\">0.1 1 0.2 2  0.3 3</ViscoParams>";
+  for (const auto& [type, parameters] :
+       {std::pair<std::string, std::string>{"NHV", "1 2"}, {"TIV", "1 2 3 0 0 1"}, {"LE", "1 0.3"}}) {
     const auto m = parsed(material(type, parameters, terms)).sections[0].material;
     EXPECT_EQ(m.law, type.substr(0, 2));
     ASSERT_EQ(m.isochoric.size(), 2U);
@@ -53,16 +60,20 @@ TEST(FormatMaterials, PronyTermsOfEitherKindWithEveryLaw) {
 }
 
 TEST(FormatMaterials, DensityOfTheSetBeatsTheDefault) {
-  const auto by_default = replaced(replaced(base_xml, "<Density>1000</Density>", ""), "<SystemParams>", "<SystemParams><Density>900</Density>");
+  const auto by_default = replaced(replaced(base_xml, "<Density>1000</Density>", ""), "<SystemParams>",
+                                   "<SystemParams><Density>900</Density>");
   EXPECT_EQ(parsed(by_default).sections[0].material.density, 900);
-  EXPECT_EQ(parsed(replaced(base_xml, "<SystemParams>", "<SystemParams><Density>900</Density>")).sections[0].material.density, 1000);
+  EXPECT_EQ(parsed(replaced(base_xml, "<SystemParams>", "<SystemParams><Density>900</Density>"))
+                .sections[0]
+                .material.density,
+            1000);
 }
 
 TEST(FormatSets, ListsStartIndicesAndFormulations) {
-  const auto two = replaced(
-      base_xml, "<ElementSet Size=\"all\">",
-      "<ElementSet Size=\"2\" Formulation=\"T4ANP\"><Material Type=\"LE\"><ElasticParams NumParams=\"2\">1000 0.3</ElasticParams>"
-      "<Density>1</Density></Material>4 0</ElementSet><ElementSet Size=\"3\">1 ");
+  const auto two = replaced(base_xml, "<ElementSet Size=\"all\">",
+                            "<ElementSet Size=\"2\" Formulation=\"T4ANP\"><Material "
+                            "Type=\"LE\"><ElasticParams NumParams=\"2\">1000 0.3</ElasticParams>"
+                            "<Density>1</Density></Material>4 0</ElementSet><ElementSet Size=\"3\">1 ");
   const auto model = parsed(two);
   ASSERT_EQ(model.sections.size(), 2U);
   EXPECT_EQ(model.sections[0].elements, (std::vector<int>{4, 0}));
@@ -72,8 +83,12 @@ TEST(FormatSets, ListsStartIndicesAndFormulations) {
 }
 
 TEST(FormatSets, MixedMeshesSplitASetByFormulation) {
-  const std::string mixed = "<Elements NumEls=\"2\" Type=\"T4ANP+H8Full\">8 0 1 2 3 4 5 6 7  4 4 5 7 8</Elements>";
-  auto xml = replaced(base_xml, "<Elements NumEls=\"5\" Type=\"T4\">\n    0 1 3 4  1 2 3 6  1 6 4 5  3 4 6 7  1 3 4 6\n  </Elements>", mixed);
+  const std::string mixed =
+      "<Elements NumEls=\"2\" Type=\"T4ANP+H8Full\">8 0 1 2 3 4 5 6 7  4 4 5 7 8</Elements>";
+  auto xml = replaced(
+      base_xml,
+      "<Elements NumEls=\"5\" Type=\"T4\">\n    0 1 3 4  1 2 3 6  1 6 4 5  3 4 6 7  1 3 4 6\n  </Elements>",
+      mixed);
   xml = replaced(replaced(xml, "NumNodes=\"8\"", "NumNodes=\"9\""), "0 1 1\n", "0 1 1  0 0 2\n");
   const auto model = parsed(replaced(xml, "<SystemParams>", "<SystemParams><HGKappa>0.1</HGKappa>"));
   ASSERT_EQ(model.sections.size(), 2U);
@@ -100,9 +115,12 @@ TEST(FormatConstraints, NodesAxesAndShapes) {
 }
 
 TEST(FormatConstraints, TimesTablesAndRelease) {
-  const auto curve = parsed(constraint("Type=\"Force\" NumNodes=\"all\" LoadShape=\"TABLE\" StartTime=\"0.2\" EndTime=\"0.6\" Release=\"1\"",
-                                       "<Table>0 1  0.5 -2</Table><Magnitudes Type=\"UNIFORM\">1</Magnitudes>"))
-                         .forces[0].curve;
+  const auto curve =
+      parsed(constraint("Type=\"Force\" NumNodes=\"all\" LoadShape=\"TABLE\" StartTime=\"0.2\" "
+                        "EndTime=\"0.6\" Release=\"1\"",
+                        "<Table>0 1  0.5 -2</Table><Magnitudes Type=\"UNIFORM\">1</Magnitudes>"))
+          .forces[0]
+          .curve;
   EXPECT_EQ(curve.shape, LoadShape::table);
   EXPECT_EQ(curve.start, 0.2);
   EXPECT_EQ(curve.end, 0.6);
@@ -120,38 +138,44 @@ TEST(FormatConstraints, Gravity) {
 }
 
 TEST(FormatConstraints, PressureOnListedFacesAndOnTheSurface) {
-  const auto listed = parsed(constraint("Type=\"Pressure\" NumFaces=\"2\" FaceType=\"Tri\" LoadShape=\"RAMP\"",
-                                        "<Faces>4 5 6  4 6 7</Faces><Magnitude>100</Magnitude>"));
+  const auto listed =
+      parsed(constraint("Type=\"Pressure\" NumFaces=\"2\" FaceType=\"Tri\" LoadShape=\"RAMP\"",
+                        "<Faces>4 5 6  4 6 7</Faces><Magnitude>100</Magnitude>"));
   ASSERT_EQ(listed.pressures[0].facets.size(), 2U);
   EXPECT_EQ(listed.pressures[0].facets[1].nodes, (std::array<int, 4>{4, 6, 7, -1}));
   EXPECT_EQ(listed.pressures[0].magnitude, 100);
-  const auto all = parsed(constraint("Type=\"Pressure\" NumFaces=\"all\" LoadShape=\"RAMP\"", "<Magnitude>1</Magnitude>"));
+  const auto all =
+      parsed(constraint("Type=\"Pressure\" NumFaces=\"all\" LoadShape=\"RAMP\"", "<Magnitude>1</Magnitude>"));
   EXPECT_EQ(all.pressures[0].facets.size(), 12U);
-  const auto negative = parsed(constraint("Type=\"Pressure\" NumFaces=\"-1\" LoadShape=\"RAMP\"", "<Magnitude>1</Magnitude>"));
+  const auto negative =
+      parsed(constraint("Type=\"Pressure\" NumFaces=\"-1\" LoadShape=\"RAMP\"", "<Magnitude>1</Magnitude>"));
   EXPECT_EQ(negative.pressures[0].facets.size(), 12U);  // NiftySim's other spelling of all
 }
 
 TEST(FormatConstraints, RestrictToWorksOnFacets) {
-  const auto half = parsed(constraint("Type=\"Pressure\" SpecType=\"NORMAL\" LoadShape=\"RAMP\"",
-                                      "<Normal ToleranceAngle=\"5\">0 0 1</Normal>"
-                                      "<RestrictTo Type=\"HalfSpace\">0.5 0.5 0  1 -1 0</RestrictTo><Magnitude>1</Magnitude>"));
+  const auto half = parsed(
+      constraint("Type=\"Pressure\" SpecType=\"NORMAL\" LoadShape=\"RAMP\"",
+                 "<Normal ToleranceAngle=\"5\">0 0 1</Normal>"
+                 "<RestrictTo Type=\"HalfSpace\">0.5 0.5 0  1 -1 0</RestrictTo><Magnitude>1</Magnitude>"));
   EXPECT_EQ(half.pressures[0].facets.size(), 1U);
 }
 
 TEST(FormatConstraints, TractionKeepsItsSign) {
-  const auto model = parsed(constraint("Type=\"Traction\" NumFaces=\"2\" FaceType=\"Tri\" LoadShape=\"RAMP\"",
-                                       "<Faces>4 5 6  4 6 7</Faces><Magnitudes Type=\"DIFFORM\">0 0 1  0 2 0</Magnitudes>"));
+  const auto model =
+      parsed(constraint("Type=\"Traction\" NumFaces=\"2\" FaceType=\"Tri\" LoadShape=\"RAMP\"",
+                        "<Faces>4 5 6  4 6 7</Faces><Magnitudes Type=\"DIFFORM\">0 0 1  0 2 0</Magnitudes>"));
   ASSERT_EQ(model.tractions[0].values.size(), 2U);
   EXPECT_EQ(model.tractions[0].values[0].z, 1);
   EXPECT_EQ(model.tractions[0].values[1].y, 2);
 }
 
 TEST(FormatConstraints, Springs) {
-  const auto springs = parsed(constraint("Type=\"Spring\" NumNodes=\"2\" LoadShape=\"RAMP\" TargetLoadShape=\"TABLE\"",
-                                         "<Nodes>4 6</Nodes><Targets Type=\"DIFFORM\">0 0 1  0 1 0</Targets>"
-                                         "<Stiffness Type=\"UNIFORM\">7</Stiffness><StrainEnergyCap>0.5</StrainEnergyCap>"
-                                         "<TargetTable>0 0 1 1</TargetTable>"))
-                           .springs.at(0);
+  const auto springs =
+      parsed(constraint("Type=\"Spring\" NumNodes=\"2\" LoadShape=\"RAMP\" TargetLoadShape=\"TABLE\"",
+                        "<Nodes>4 6</Nodes><Targets Type=\"DIFFORM\">0 0 1  0 1 0</Targets>"
+                        "<Stiffness Type=\"UNIFORM\">7</Stiffness><StrainEnergyCap>0.5</StrainEnergyCap>"
+                        "<TargetTable>0 0 1 1</TargetTable>"))
+          .springs.at(0);
   EXPECT_EQ(springs.nodes, (std::vector<int>{4, 6}));
   EXPECT_EQ(springs.targets[1].y, 1);
   EXPECT_EQ(springs.stiffness, (std::vector<double>{7}));
@@ -162,21 +186,27 @@ TEST(FormatConstraints, Springs) {
 
 TEST(FormatConstraints, PlanesAndInitialVelocities) {
   for (const char* type : {"SlidingPlane", "Symmetry"}) {
-    const auto model = parsed(constraint("Type=\"" + std::string(type) + "\"", "<Box>0 0 0 1 0 1</Box><PlaneNormal>2 0 0</PlaneNormal>"));
+    const auto model = parsed(constraint("Type=\"" + std::string(type) + "\"",
+                                         "<Box>0 0 0 1 0 1</Box><PlaneNormal>2 0 0</PlaneNormal>"));
     EXPECT_EQ(model.planes.at(0).nodes, (std::vector<int>{0, 3, 4, 7}));
     EXPECT_EQ(model.planes[0].normal.x, 1);
   }
-  const auto moving = parsed(constraint("Type=\"InitialVelocity\" NumNodes=\"all\"", "<Velocity>1 2 3</Velocity>"));
+  const auto moving =
+      parsed(constraint("Type=\"InitialVelocity\" NumNodes=\"all\"", "<Velocity>1 2 3</Velocity>"));
   EXPECT_EQ(moving.initial_velocities.at(0).nodes.size(), 8U);
   EXPECT_EQ(moving.initial_velocities[0].velocity.y, 2);
 }
 
 TEST(FormatContact, BodiesAndTheirMotion) {
-  const auto model = parsed(with(
-      "<ContactPlate><a>0 0 2</a><b>1 0 2</b><c>0 1 2</c><Disp>0 0 -1</Disp><SlvNodes>4 5 6 7</SlvNodes></ContactPlate>"
-      "<ContactCylinder LoadShape=\"RAMP\" EndTime=\"0.5\"><Origin>1 2 3</Origin><Axis>0 0 1</Axis><Radius>0.5</Radius>"
-      "<Length>2</Length><OrigDisp>1 0 0</OrigDisp><RadChange>0.1</RadChange><SlvNodes NumNodes=\"3\">2</SlvNodes></ContactCylinder>"
-      "<ContactUSProbe><Origin>1 2 3</Origin><Axis>0 0 1</Axis><Radius>0.5</Radius><Length>2</Length></ContactUSProbe>"));
+  const auto model =
+      parsed(with("<ContactPlate><a>0 0 2</a><b>1 0 2</b><c>0 1 2</c><Disp>0 0 -1</Disp><SlvNodes>4 5 6 "
+                  "7</SlvNodes></ContactPlate>"
+                  "<ContactCylinder LoadShape=\"RAMP\" EndTime=\"0.5\"><Origin>1 2 3</Origin><Axis>0 0 "
+                  "1</Axis><Radius>0.5</Radius>"
+                  "<Length>2</Length><OrigDisp>1 0 0</OrigDisp><RadChange>0.1</RadChange><SlvNodes "
+                  "NumNodes=\"3\">2</SlvNodes></ContactCylinder>"
+                  "<ContactUSProbe><Origin>1 2 3</Origin><Axis>0 0 "
+                  "1</Axis><Radius>0.5</Radius><Length>2</Length></ContactUSProbe>"));
   ASSERT_EQ(model.bodies.size(), 3U);
   EXPECT_EQ(model.bodies[0].shape, RigidShape::plate);
   EXPECT_EQ(model.bodies[0].corners[2].y, 1);
@@ -196,8 +226,10 @@ TEST(FormatTime, EveryElementOfSystemParams) {
   const auto model = parsed(replaced(
       replaced(base_xml, "<Model>", "<Model units=\"SI\">"), "<TimeStep>0.001</TimeStep>",
       "<TimeStep>auto</TimeStep><SafetyFactor>0.7</SafetyFactor><TimeStepper>Newmark</TimeStepper>"
-      "<MassScaling>0.002</MassScaling><EnergyTolerance>0.1</EnergyTolerance><MonitorFreq>50</MonitorFreq><ROM>0</ROM>"
-      "<DoDeformableCollision Type=\"MultiPass\">0</DoDeformableCollision><DoSelfCollision>0</DoSelfCollision>"
+      "<MassScaling>0.002</MassScaling><EnergyTolerance>0.1</EnergyTolerance><MonitorFreq>50</"
+      "MonitorFreq><ROM>0</ROM>"
+      "<DoDeformableCollision "
+      "Type=\"MultiPass\">0</DoDeformableCollision><DoSelfCollision>0</DoSelfCollision>"
       "<QuasiStatic><ForceTolerance>1e-3</ForceTolerance><DisplacementTolerance>1e-6</DisplacementTolerance>"
       "<MaxSteps>1234</MaxSteps></QuasiStatic>"));
   EXPECT_EQ(model.units, "SI");
@@ -216,22 +248,27 @@ TEST(FormatTime, EveryElementOfSystemParams) {
 }
 
 TEST(FormatTime, QuasiStaticNeedsNoTotalTime) {
-  const auto xml = replaced(replaced(base_xml, "<TotalTime>1</TotalTime>", "<QuasiStatic/>"), "<TimeStep>0.001</TimeStep>", "");
+  const auto xml = replaced(replaced(base_xml, "<TotalTime>1</TotalTime>", "<QuasiStatic/>"),
+                            "<TimeStep>0.001</TimeStep>", "");
   EXPECT_EQ(parsed(xml).time.total, 0);
 }
 
 TEST(FormatOutput, FrequencyAndVariables) {
-  const auto model = parsed(with("<Output Freq=\"10\"><Variable>U</Variable><Variable>EKin</Variable></Output>"));
+  const auto model =
+      parsed(with("<Output Freq=\"10\"><Variable>U</Variable><Variable>EKin</Variable></Output>"));
   EXPECT_EQ(model.output.every, 10);
   EXPECT_EQ(model.output.variables, (std::vector<std::string>{"U", "EKin"}));
 }
 
 TEST(FormatWarnings, NameWhatHasNoEffect) {
   std::vector<std::string> warnings;
-  parsed(replaced(with("<Constraint Type=\"Fix\" NumNodes=\"0\"/>"), "<SystemParams>",
-                  "<SystemParams><BVType>AABB</BVType><DoMultiPassContacts/><DeformableFrictionCoefficient>0</DeformableFrictionCoefficient>"
-                  "<ContactSafetyMargin>0</ContactSafetyMargin><RateConstraintDistance>0</RateConstraintDistance>"),
-         &warnings);
+  parsed(
+      replaced(
+          with("<Constraint Type=\"Fix\" NumNodes=\"0\"/>"), "<SystemParams>",
+          "<SystemParams><BVType>AABB</BVType><DoMultiPassContacts/><DeformableFrictionCoefficient>0</"
+          "DeformableFrictionCoefficient>"
+          "<ContactSafetyMargin>0</ContactSafetyMargin><RateConstraintDistance>0</RateConstraintDistance>"),
+      &warnings);
   EXPECT_EQ(warnings.size(), 6U);
   warnings.clear();
   parsed(constraint("Type=\"Fix\" NumNodes=\"1\"", "<Nodes>1</Nodes><Magnitude>3</Magnitude>"), &warnings);

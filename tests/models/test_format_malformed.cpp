@@ -56,7 +56,8 @@ const Bad bad_files[] = {
     {"Type=\"T4\"", "Type=\"T4+\"", 7, "not an element type"},
     {"Type=\"T4\"", "Type=\"AUTO\"", 7, "4 or 8"},
     {"Type=\"T4\"", "", 7, "Type is missing"},
-    {"<Nodes NumNodes=\"8\" DOF=\"3\">", "<MSHMesh>a.msh</MSHMesh><Nodes NumNodes=\"8\">", 3, "second geometry"},
+    {"<Nodes NumNodes=\"8\" DOF=\"3\">", "<MSHMesh>a.msh</MSHMesh><Nodes NumNodes=\"8\">", 3,
+     "second geometry"},
     // sets and materials
     {"Size=\"all\"", "", 10, "Size is missing"},
     {"Size=\"all\"", "Size=\"some\"", 10, "whole number"},
@@ -75,9 +76,12 @@ const Bad bad_files[] = {
     {"Type=\"NH\"", "Type=\"NHV\"", 11, "needs <ViscoParams>"},
     {"<Density>1000</Density>", "", 11, "no density"},
     {"<Density>1000</Density>", "<Density></Density>", 13, "0 numbers"},
-    {"<Density>", "<ViscoParams NumIsoTerms=\"1\" NumVolTerms=\"1\">0.1 1 0.2</ViscoParams><Density>", 13, "need 2 each"},
-    {"<Density>", "<ViscoParams NumIsoTerms=\"1\">0.1 1</ViscoParams><Density>", 13, "NumVolTerms is missing"},
-    {"<Density>", "<ElementArray Param=\"mu\">stiffness</ElementArray><Density>", 13, "no cell array 'stiffness'"},
+    {"<Density>", "<ViscoParams NumIsoTerms=\"1\" NumVolTerms=\"1\">0.1 1 0.2</ViscoParams><Density>", 13,
+     "need 2 each"},
+    {"<Density>", "<ViscoParams NumIsoTerms=\"1\">0.1 1</ViscoParams><Density>", 13,
+     "NumVolTerms is missing"},
+    {"<Density>", "<ElementArray Param=\"mu\">stiffness</ElementArray><Density>", 13,
+     "no cell array 'stiffness'"},
     {"<Density>", "<ElementArray Param=\"nu\">stiffness</ElementArray><Density>", 13, "did you mean mu?"},
     {"<Density>", "<FibreArray>fibres</FibreArray><Density>", 13, "no fibre direction"},
     // constraints
@@ -88,7 +92,8 @@ const Bad bad_files[] = {
     {" NumNodes=\"4\"", " NumNodes=\"all\"", 17, "beside NumNodes"},
     {" LoadShape=\"POLY345\"", "", 19, "LoadShape is missing"},
     {"LoadShape=\"POLY345\"", "LoadShape=\"TABLE\"", 19, "belong together"},
-    {"<Magnitudes Type=\"UNIFORM\">", "<Table>0 1 0 2</Table><Magnitudes Type=\"UNIFORM\">", 19, "belong together"},
+    {"<Magnitudes Type=\"UNIFORM\">", "<Table>0 1 0 2</Table><Magnitudes Type=\"UNIFORM\">", 19,
+     "belong together"},
     {"ToleranceAngle=\"10\"", "ToleranceAngle=\"-10\"", 20, "0 and 180"},
     {"ToleranceAngle=\"10\"", "", 20, "ToleranceAngle is missing"},
     {">0 0 1</Normal>", ">0 0 0</Normal>", 20, "no direction"},
@@ -124,25 +129,35 @@ const Bad bad_files[] = {
     {"<DampingCoeff>", "<SafetyFactor>2</SafetyFactor><DampingCoeff>", 26, "above 1"},
     {"<DampingCoeff>", "<MonitorFreq>-1</MonitorFreq><DampingCoeff>", 26, "0 to 1e9"},
     {"<DampingCoeff>", "<QuasiStatic><MaxSteps>0</MaxSteps></QuasiStatic><DampingCoeff>", 26, "at least 1"},
-    {"<DampingCoeff>", "<QuasiStatic><ForceTol>1</ForceTol></QuasiStatic><DampingCoeff>", 26, "did you mean ForceTolerance?"},
+    {"<DampingCoeff>", "<QuasiStatic><ForceTol>1</ForceTol></QuasiStatic><DampingCoeff>", 26,
+     "did you mean ForceTolerance?"},
     // not built
     {"<DampingCoeff>", "<ROM>1</ROM><DampingCoeff>", 26, "not supported yet"},
     {"<DampingCoeff>", "<DoSelfCollision>1</DoSelfCollision><DampingCoeff>", 26, "not supported yet"},
-    {"<SystemParams>", "<ShellElements Type=\"SURFACE\"/><SystemParams>", 23, "<ShellElements>: this feature is not supported yet"},
-    {"<SystemParams>", "<ContactSurface/><SystemParams>", 23, "<ContactSurface>: this feature is not supported yet"},
+    {"<SystemParams>", "<ShellElements Type=\"SURFACE\"/><SystemParams>", 23,
+     "<ShellElements>: this feature is not supported yet"},
+    {"<SystemParams>", "<ContactSurface/><SystemParams>", 23,
+     "<ContactSurface>: this feature is not supported yet"},
     {"<SystemParams>", "<KinematicContact/><SystemParams>", 23, "not supported yet"},
     {"<SystemParams>", "<ReducedBasis NumVectors=\"3\"/><SystemParams>", 23, "not supported yet"},
     // bodies, sub-models, output
-    {"<SystemParams>", "<ContactPlate><a>0 0 0</a><b>1 0 0</b></ContactPlate><SystemParams>", 23, "<c> is missing"},
-    {"<SystemParams>", "<ContactPlate><a>0 0 0</a><b>1 0 0</b><c>2 0 0</c></ContactPlate><SystemParams>", 23, "one line"},
-    {"<SystemParams>", "<ContactCylinder><Origin>0 0 0</Origin><Axis>0 0 0</Axis></ContactCylinder><SystemParams>", 23, "no direction"},
+    {"<SystemParams>", "<ContactPlate><a>0 0 0</a><b>1 0 0</b></ContactPlate><SystemParams>", 23,
+     "<c> is missing"},
+    {"<SystemParams>", "<ContactPlate><a>0 0 0</a><b>1 0 0</b><c>2 0 0</c></ContactPlate><SystemParams>", 23,
+     "one line"},
     {"<SystemParams>",
-     "<ContactUSProbe><Origin>0 0 0</Origin><Axis>0 0 1</Axis><Radius>0</Radius></ContactUSProbe><SystemParams>", 23,
-     "greater than 0"},
-    {"<SystemParams>", "<SubModel><Output Freq=\"1\"/></SubModel><SystemParams>", 23, "unknown element in <SubModel>"},
+     "<ContactCylinder><Origin>0 0 0</Origin><Axis>0 0 0</Axis></ContactCylinder><SystemParams>", 23,
+     "no direction"},
+    {"<SystemParams>",
+     "<ContactUSProbe><Origin>0 0 0</Origin><Axis>0 0 "
+     "1</Axis><Radius>0</Radius></ContactUSProbe><SystemParams>",
+     23, "greater than 0"},
+    {"<SystemParams>", "<SubModel><Output Freq=\"1\"/></SubModel><SystemParams>", 23,
+     "unknown element in <SubModel>"},
     {"<SystemParams>", "<SubModel/><SystemParams>", 23, "<Nodes> is missing"},
     {"<SystemParams>", "<Output Freq=\"-1\"/><SystemParams>", 23, "negative"},
-    {"<SystemParams>", "<Output Freq=\"1\"><Variable>W</Variable></Output><SystemParams>", 23, "not a variable"},
+    {"<SystemParams>", "<Output Freq=\"1\"><Variable>W</Variable></Output><SystemParams>", 23,
+     "not a variable"},
     {"<Model>", "<Model units=\"cm\">", 2, "units=\"cm\""},
     {"<Model>\n", "<Simulation>\n", 2, "XML"},
 };
@@ -165,9 +180,10 @@ TEST(FormatMalformed, EachIsRefusedWithPlaceAndReason) {
 }
 
 TEST(FormatMalformed, OddDocumentsAreRefused) {
-  for (const auto& xml : {std::string(), std::string("   "), std::string("no xml"), std::string("<Simulation/>"),
-                          std::string("<Model/>"), std::string("<Model>\0</Model>", 16), std::string("<?xml version=\"1.0\"?>"),
-                          std::string("<Model><SystemParams><TotalTime>1</TotalTime></SystemParams></Model>")})
+  for (const auto& xml :
+       {std::string(), std::string("   "), std::string("no xml"), std::string("<Simulation/>"),
+        std::string("<Model/>"), std::string("<Model>\0</Model>", 16), std::string("<?xml version=\"1.0\"?>"),
+        std::string("<Model><SystemParams><TotalTime>1</TotalTime></SystemParams></Model>")})
     EXPECT_THROW(parsed(xml), Error) << xml;
   std::string deep;
   for (int i = 0; i < 5000; ++i) deep += "<SubModel>";

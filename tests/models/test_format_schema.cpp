@@ -1,14 +1,12 @@
 // The grammar: suggestions, the list of names, the XML schema for editors.
-#include <tests/models/format_base.hpp>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
-
 #include <glisson/models/format/schema.hpp>
 #include <glisson/models/format/suggest.hpp>
+#include <sstream>
+#include <tests/models/format_base.hpp>
 
 namespace glisson::test {
 namespace {
@@ -31,13 +29,15 @@ TEST(FormatSuggest, OnlyNearNamesAreSuggested) {
 
 TEST(FormatSchema, EveryKindHasARule) {
   for (const auto& rule : detail::element_rules())
-    for (const auto& child : detail::children_of(rule)) EXPECT_NO_THROW(detail::rule_of(child.kind)) << child.name;
+    for (const auto& child : detail::children_of(rule))
+      EXPECT_NO_THROW(detail::rule_of(child.kind)) << child.name;
 }
 
 TEST(FormatSchema, EveryNameIsKnownUnderAnyCaseOnly) {
   const auto names = known_names();
   EXPECT_GT(names.size(), 80U);
-  for (const char* name : {"Model", "SubModelNodeMergerDistance", "ToleranceAngle", "HGKappa", "ElementArray"})
+  for (const char* name :
+       {"Model", "SubModelNodeMergerDistance", "ToleranceAngle", "HGKappa", "ElementArray"})
     EXPECT_TRUE(std::binary_search(names.begin(), names.end(), name)) << name;
 }
 
@@ -52,7 +52,8 @@ const std::string xsd_path = GLISSON_SOURCE_DIR "/models/format/glisson.xsd";
 
 TEST(FormatSchema, TheXsdIsWhatTheTableSays) {
   if (std::getenv("GLISSON_WRITE_XSD") != nullptr) std::ofstream(xsd_path, std::ios::binary) << make_xsd();
-  EXPECT_EQ(text_of(xsd_path), make_xsd()) << "run this test once with GLISSON_WRITE_XSD=1 after a change of the table";
+  EXPECT_EQ(text_of(xsd_path), make_xsd())
+      << "run this test once with GLISSON_WRITE_XSD=1 after a change of the table";
 }
 
 int xmllint(const std::string& xml) {
