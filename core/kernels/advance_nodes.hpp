@@ -1,0 +1,95 @@
+// The node update and its prediction. Every node is treated as free; constraints correct their lists afterwards.
+#pragma once
+
+#include <glisson/core/tensor/tensor.hpp>
+
+namespace glisson {
+
+template <class R>
+GLISSON_HD Vec3<R> vector_part(const Vec4<R>& a) {
+  return {a.x, a.y, a.z};
+}
+
+/// u, v <- next step; f is consumed and left at zero for the next sum.
+template <class R, class Stepper>
+struct AdvanceNodes {
+  Vec4<R>* u;  ///< displacement [m]                [node_count]
+  Vec4<R>* v;  ///< velocity [m/s], w: 1/mass [1/kg] [node_count]
+  Vec4<R>* f;  ///< force [N]                       [node_count]
+  Stepper stepper;
+
+  GLISSON_HD void operator()(int n) const {
+    const Vec4<R> v_old = v[n];
+    const Vec3<R> w = stepper.velocity(vector_part(v_old), vector_part(f[n]), v_old.w);
+    const R dt = stepper.drift;
+    const Vec4<R> u_old = u[n];
+    v[n] = {w.x, w.y, w.z, v_old.w};
+    u[n] = {u_old.x + dt * w.x, u_old.y + dt * w.y, u_old.z + dt * w.z, u_old.w};
+    f[n] = {};
+  }
+};
+
+/// u_predicted = u(t + dt) under the forces summed so far.
+template <class R, class Stepper>
+struct PredictNodes {
+  const Vec4<R>*u, *v, *f;
+  Vec4<R>* u_predicted;  ///< [m]  [node_count]
+  Stepper stepper;
+
+  GLISSON_HD void operator()(int n) const {
+    const Vec3<R> w = stepper.velocity(vector_part(v[n]), vector_part(f[n]), v[n].w);
+    const R dt = stepper.drift;
+    u_predicted[n] = {u[n].x + dt * w.x, u[n].y + dt * w.y, u[n].z + dt * w.z, u[n].w};
+  }
+};
+
+/// Energy terms of one chunk of nodes around a step.
+struct NodeEnergies {
+  double kinetic = 0;         ///< of this step: sum m v(n-1/2).v(n+1/2) / 2 [J]
+  double damping = 0;         ///< dissipated since the start, up to t(n) + dt/2 [J]
+  double damping_ahead = 0;   ///< the part of it that belongs to t(n) .. t(n) + dt/2 [J]
+};
+
+/// AdvanceNodes over chunks of nodes, with the energies of the step. With KE(n) = sum m v(n-1/2).v(n+1/2) / 2 the change of KE
+/// over a step is exactly (F(n) + F(n+1)) / 2 . (u(n+1) - u(n)), F all forces with damping: the balance of a linear system
+/// closes to round-off at any stable dt.
+template <class R, class Stepper>
+struct AdvanceNodesMonitored {
+  static constexpr int chunk = 64;
+  AdvanceNodes<R, Stepper> advance;
+  NodeEnergies* energies;  ///< [ceil(node_count / chunk)]
+  int node_count;
+  double damping;   ///< [1/s]
+  double dt;        ///< [s]
+  bool first_step;  ///< nothing lies before t = 0
+
+  GLISSON_HD void operator()(int c) const {
+    const int end = node_count < (c + 1) * chunk ? node_count : (c + 1) * chunk;
+    double kinetic = 0, before = 0, ahead = 0;
+    for (int n = c * chunk; n < end; ++n) {
+      const Vec4<R> a = advance.v[n];
+      advance(n);
+      const Vec4<R> b = advance.v[n];
+      if (!(a.w > R(0))) continue;  // massless nodes do not move
+      const double m = 1 / double(a.w);
+      const double ab = double(a.x * b.x + a.y * b.y + a.z * b.z), aa = double(a.x * a.x + a.y * a.y + a.z * a.z),
+                   bb = double(b.x * b.x + b.y * b.y + b.z * b.z);
+      kinetic += m * ab;
+      before += m * (aa + ab);
+      ahead += m * (ab + bb);
+    }
+    NodeEnergies& e = energies[c];
+    const double share = 0.25 * damping * dt;  // damping force m alpha (a + b)/2 on the half paths dt a/2 and dt b/2
+    e.kinetic = 0.5 * kinetic;
+    e.damping += share * ((first_step ? 0 : before) + ahead);
+    e.damping_ahead = share * ahead;
+  }
+};
+
+template <class R>
+struct ZeroForces {
+  Vec4<R>* f;
+  GLISSON_HD void operator()(int n) const { f[n] = {}; }
+};
+
+}  // namespace glisson
