@@ -1,0 +1,108 @@
+// Adaptive dynamic relaxation: the run is damped critically for the lowest frequency that still moves, which is estimated on the way.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include <glisson/core/model.hpp>
+#include <glisson/core/simulation/archive.hpp>
+#include <glisson/core/simulation/node_state.hpp>
+
+namespace glisson {
+
+/// a with the constrained components set to zero.
+template <class R>
+struct MaskNodes {
+  const Vec4<R>*a, *mask;  ///< mask: 1 free, 0 constrained, per axis
+  Vec4<R>* out;
+  GLISSON_HD void operator()(int n) const {
+    out[n] = {a[n].x * mask[n].x, a[n].y * mask[n].y, a[n].z * mask[n].z, R(0)};
+  }
+};
+
+/// Underwood 1983 (in: Belytschko & Hughes, Computational Methods for Transient Analysis, ch. 5): the lowest frequency that takes part is
+/// omega^2 = du.(f_int(n) - f_int(n-1)) / du.M du with du = u(n) - u(n-1); critical damping is 2 omega. The mass is fictitious
+/// (every element gets the same stable step), the static solution does not depend on it.
+template <class B, class R>
+class DynamicRelaxation {
+ public:
+  static constexpr std::int64_t interval = 10;  ///< steps between two estimates
+
+  DynamicRelaxation(B& backend, NodeState<B, R>& nodes, const QuasiStatic& settings, std::int64_t ramp_steps,
+                    const std::vector<Vec4<R>>& mask)
+      : backend_(backend), nodes_(nodes), settings_(settings), ramp_steps_(ramp_steps), f_before_(nodes.zeros()),
+        work_(nodes.zeros()), mask_(nodes.zeros()) {
+    nodes_.put(mask, mask_.get());
+  }
+
+  double damping() const { return damping_; }
+  std::int64_t ramp_steps() const { return ramp_steps_; }
+  bool converged() const { return converged_; }
+  bool exhausted(std::int64_t step) const { return step >= settings_.max_steps; }
+  std::array<double, 2> residuals() const { return residuals_; }
+
+  /// Share of the loads at `step`: smooth from 0 to 1 over the ramp.
+  double load_share(std::int64_t step) const {
+    if (step >= ramp_steps_) return 1;
+    const double r = double(step) / double(ramp_steps_);
+    return r * r * r * (10 + r * (-15 + 6 * r));
+  }
+
+  /// Called with the element forces alone in f: the scale that residuals are compared with.
+  void note_internal_force(std::int64_t step) {
+    if (step % interval == 0) internal_ = std::sqrt(nodes_.dot(nodes_.f(), nodes_.f(), false));
+  }
+  /// Called with all forces in f, before the nodes move.
+  void update(std::int64_t step, double dt) {
+    if (step % interval == interval - 1) backend_.for_each(nodes_.count(), Copy<R>{nodes_.f(), f_before_.get()});
+    if (step % interval != 0 || step == 0) return;
+    estimate_damping(dt);
+    measure();
+    converged_ = step >= ramp_steps_ + interval && residuals_[0] < settings_.force_tolerance &&
+                 residuals_[1] < settings_.displacement_tolerance;
+  }
+
+  void save(std::ostream& out) const {
+    write_value(out, Scalars{damping_, omega_, internal_, residuals_, converged_});
+    write_array<Vec4<R>>(out, nodes_.get(f_before_.get()));
+  }
+  void load(std::istream& in) {
+    const auto s = read_value<Scalars>(in);
+    damping_ = s.damping, omega_ = s.omega, internal_ = s.internal, residuals_ = s.residuals, converged_ = s.converged;
+    nodes_.put(read_array<Vec4<R>>(in, nodes_.size()), f_before_.get());
+  }
+
+ private:
+  struct Scalars {
+    double damping, omega, internal;
+    std::array<double, 2> residuals;
+    bool converged;
+  };
+
+  void estimate_damping(double dt) {
+    const double moving = nodes_.dot(nodes_.v(), nodes_.v(), true);
+    const double stiff = (nodes_.dot(nodes_.v(), f_before_.get(), false) - nodes_.dot(nodes_.v(), nodes_.f(), false)) / dt;
+    const double omega2 = moving > 0 ? stiff / moving : 0;
+    const double highest = 2 / dt;
+    if (omega2 > 0) omega_ = std::min(std::sqrt(omega2), highest);
+    damping_ = std::min(2 * omega_, 1.8 / dt);  // 1 - h stays positive
+  }
+  void measure() {
+    backend_.for_each(nodes_.count(), MaskNodes<R>{nodes_.f(), mask_.get(), work_.get()});
+    const double force = std::sqrt(nodes_.dot(work_.get(), work_.get(), false));
+    const double speed = std::sqrt(nodes_.largest(nodes_.v())), reach = std::sqrt(nodes_.largest(nodes_.u()));
+    residuals_[0] = internal_ > 0 ? force / internal_ : force > 0 ? 1.0 : 0.0;
+    residuals_[1] = reach > 0 && omega_ > 0 ? speed / (omega_ * reach) : speed > 0 ? 1.0 : 0.0;
+  }
+
+  B& backend_;
+  NodeState<B, R>& nodes_;
+  QuasiStatic settings_;
+  std::int64_t ramp_steps_;
+  Buffer<Vec4<R>> f_before_, work_, mask_;
+  double damping_ = 0, omega_ = 0, internal_ = 0;
+  std::array<double, 2> residuals_{1, 1};
+  bool converged_ = false;
+};
+
+}  // namespace glisson

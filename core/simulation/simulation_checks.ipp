@@ -1,0 +1,108 @@
+// Simulation: the stable step, energies and failure. Included by simulation.hpp.
+#pragma once
+
+namespace glisson {
+
+/// Steps between two estimates of the stable step: 6 force evaluations each, about one percent of the run.
+constexpr std::int64_t recheck_interval = 500;
+
+/// The stable step [s] of the present state. A provider's stiffness adds to the elements': omega^2 = sum of omega_i^2.
+template <Backend B, class R>
+double Simulation<B, R>::stable_step_now(int iterations) {
+  // Power iteration converges from below (too large a step); 3 % covers what is missing after these many iterations, see
+  // doc/time-step.md. At rest the element bound holds whatever the iteration says.
+  constexpr double margin = 1.03;
+  const double omega = margin * power_.omega(*parts_.solids, make_view(), iterations);
+  double dt = omega > 0 ? 2 / omega : parts_.element_step.dt;
+  if (step_ == 0) dt = std::max(dt, parts_.element_step.dt);
+  double inverse_square = 1 / (dt * dt);
+  auto add = [&](double own) { inverse_square += std::isfinite(own) && own > 0 ? 1 / (own * own) : 0; };
+  for (const auto& load : parts_.loads) add(load->stable_step());
+  for (const auto& user : users_) add(user->provider().stable_step());
+  return 1 / std::sqrt(inverse_square);
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::choose_step() {
+  stable_step_ = stable_step_now(40);
+  const auto& e = parts_.element_step;
+  limited_by_ = "element " + std::to_string(e.element);
+  const TimeSettings& time = model_.time;
+  if (!(stable_step_ > 0) || !std::isfinite(stable_step_))
+    throw Error(ErrorKind::input, "The stable time step could not be estimated (" + std::to_string(stable_step_) +
+                                      " s). The model needs solid elements with positive stiffness and mass.");
+  const double wish = time.safety * stable_step_;
+  if (relaxation_)
+    plan_ = StepPlan::endless(wish);
+  else
+    plan_ = StepPlan(time.total, time.step.value_or(wish));
+  const std::int64_t automatic = std::max<std::int64_t>(20, plan_.last_step() / 100);
+  monitor_every_ = time.monitor_every > 0 ? time.monitor_every : relaxation_ ? 100 : automatic;
+  next_recheck_ = recheck_interval;
+}
+
+/// Before a step whose energies are accounted: what has to be known of the state at its start.
+template <Backend B, class R>
+void Simulation<B, R>::review() {
+  StepView<R> view = make_view();
+  strain_energy_ = parts_.solids->strain_energy(view);
+  hourglass_energy_ = parts_.solids->hourglass_energy(view);
+  if (step_ >= next_recheck_) recheck_stable_step();
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::recheck_stable_step() {
+  next_recheck_ = step_ + recheck_interval;
+  const double now = stable_step_now(6);
+  if (!std::isfinite(now)) return;  // account() names what went wrong
+  stable_step_ = now;
+  const bool automatic = relaxation_ || !model_.time.step;
+  if (automatic && plan_.dt() > 0.95 * now) plan_.shorten(step_, model_.time.safety * now);
+}
+
+/// Closes the energy account of time t, after the nodes have moved on to t + dt.
+template <Backend B, class R>
+void Simulation<B, R>::account(double t) {
+  Energies parts;
+  parts.strain = strain_energy_;
+  parts.hourglass = hourglass_energy_;
+  for (const auto& load : parts_.loads) parts.external += load->work();
+  for (const auto& user : users_) parts.external += user->provider().work();
+  for (const auto& body : parts_.bodies) parts.contact += body->work();
+  parts.prescribed = parts_.constraints->work();
+  const double share = monitor_.close(t, parts, prony_ || relaxation_.has_value());
+  const Energies& now = monitor_.last();
+  if (!std::isfinite(now.kinetic) || !std::isfinite(now.strain)) fail(nullptr, share);
+  const double tolerance = model_.time.energy_tolerance;
+  if (tolerance > 0 && !(share <= tolerance)) fail(&now, share);
+  healthy_ = displacement();
+  healthy_step_ = step_ + 1;
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::fail(const Energies* unbalanced, double share) {
+  const auto u = displacement();
+  FailureContext context;
+  context.u = u;
+  context.healthy = healthy_;
+  context.step = step_ + 1;
+  context.healthy_step = healthy_step_;
+  context.time = time();
+  context.report = report();
+  context.stable_now = stable_step_;
+  const std::string text = unbalanced ? imbalance_message(model_, context, *unbalanced, share, model_.time.energy_tolerance)
+                                      : not_finite_message(model_, context);
+  throw Error(ErrorKind::run, text, {model_.name, 0, ""});
+}
+
+template <Backend B, class R>
+StepReport Simulation<B, R>::report() const {
+  return {plan_.dt(), stable_step_, limited_by_, parts_.added_mass, plan_.last_step()};
+}
+
+template <Backend B, class R>
+std::array<double, 2> Simulation<B, R>::residuals() const {
+  return relaxation_ ? relaxation_->residuals() : std::array<double, 2>{0, 0};
+}
+
+}  // namespace glisson

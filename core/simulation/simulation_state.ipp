@@ -1,0 +1,182 @@
+// Simulation: construction, results and checkpoints. Included by simulation.hpp.
+#pragma once
+
+namespace glisson {
+
+/// 1 where a node may move freely along an axis, 0 where a constraint decides; internal order.
+template <class R>
+std::vector<Vec4<R>> free_axes(const Model& model, const Numbering& numbering) {
+  std::vector<Vec4<R>> mask(numbering.internal_of_user.size(), {R(1), R(1), R(1), R(0)});
+  auto hold = [&](const std::vector<int>& nodes, Axes axes) {
+    for (const int user : nodes) {
+      auto& m = mask[static_cast<std::size_t>(numbering.internal_of_user[static_cast<std::size_t>(user)])];
+      if (axes & 1u) m.x = R(0);
+      if (axes & 2u) m.y = R(0);
+      if (axes & 4u) m.z = R(0);
+    }
+  };
+  for (const auto& fixed : model.fixed) hold(fixed.nodes, fixed.axes);
+  for (const auto& disp : model.displacements) hold(disp.nodes, disp.axes);
+  for (const auto& plane : model.planes) hold(plane.nodes, all_axes);
+  return mask;
+}
+
+/// The rule of NiftySim where the file does not choose: Newmark if every element is T4ANP.
+inline Stepper default_stepper(const Model& model) {
+  const bool averaged = std::all_of(model.sections.begin(), model.sections.end(),
+                                    [](const Section& s) { return s.formulation == Formulation::t4anp; });
+  return averaged && !model.sections.empty() ? Stepper::newmark : Stepper::central_difference;
+}
+
+inline bool has_prony(const Model& model) {
+  return std::any_of(model.sections.begin(), model.sections.end(), [](const Section& s) {
+    return !s.material.isochoric.empty() || !s.material.volumetric.empty();
+  });
+}
+
+template <Backend B, class R>
+Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
+    : model_(model), parts_(std::move(parts)), backend_(*parts_.backend), nodes_(backend_, parts_.mass),
+      monitor_(backend_, nodes_.count()), power_(backend_, nodes_, parts_.element_step.smallest_size),
+      stepper_(model.time.stepper.value_or(default_stepper(model))), prony_(has_prony(model)) {
+  if (!parts_.bodies.empty()) u_predicted_ = nodes_.zeros();
+  if (model.time.quasi_static) {
+    // long enough for the slowest wave to cross the mesh several times at one element per step
+    const auto ramp = static_cast<std::int64_t>(50 + 10 * std::cbrt(double(nodes_.count())));
+    relaxation_.emplace(backend_, nodes_, *model.time.quasi_static, ramp, free_axes<R>(model, parts_.numbering));
+  }
+  choose_step();
+  set_initial_velocity();
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::set_initial_velocity() {
+  if (model_.initial_velocities.empty()) return;
+  auto v = nodes_.get(nodes_.v());
+  for (const auto& initial : model_.initial_velocities)
+    for (const int user : initial.nodes) {
+      auto& a = v[static_cast<std::size_t>(parts_.numbering.internal_of_user[static_cast<std::size_t>(user)])];
+      a = {R(initial.velocity.x), R(initial.velocity.y), R(initial.velocity.z), a.w};
+    }
+  const auto mask = free_axes<R>(model_, parts_.numbering);
+  for (std::size_t n = 0; n < v.size(); ++n)
+    v[n] = {v[n].x * mask[n].x, v[n].y * mask[n].y, v[n].z * mask[n].z, v[n].w};
+  nodes_.put(v, nodes_.v());
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::add(std::unique_ptr<ForceProvider<double>> provider) {
+  if (step_ > 0) throw Error(ErrorKind::usage, "A force provider is added before the first step, not after.");
+  std::vector<double> mass(nodes_.size());
+  std::vector<int> same(nodes_.size());
+  for (std::size_t n = 0; n < mass.size(); ++n) {
+    same[n] = static_cast<int>(n);
+    mass[static_cast<std::size_t>(parts_.numbering.user_of_internal[n])] = parts_.mass[n];
+  }
+  provider->attach({model_.mesh.X, mass, same});
+  if (provider->needs_prediction())
+    throw Error(ErrorKind::usage, "User providers do not get a predicted displacement yet: return false from needs_prediction().");
+  users_.push_back(std::make_unique<UserForces<B, R>>(backend_, nodes_, parts_.numbering, std::move(provider)));
+  choose_step();
+}
+
+template <Backend B, class R>
+std::vector<Vec3<double>> Simulation<B, R>::displacement() const {
+  return nodes_.for_user(nodes_.u(), parts_.numbering);
+}
+
+/// Forces of the present state in the user's order, without touching the run; f is zero before and after.
+template <Backend B, class R>
+std::vector<Vec3<double>> Simulation<B, R>::forces_for_user(bool with_loads) const {
+  StepView<R> view = make_view();
+  view.advance = false;
+  view.monitor = false;
+  parts_.solids->add_forces(view);
+  if (with_loads) {
+    for (auto& load : parts_.loads) load->add_forces(view);
+    for (auto& user : users_) user->add_forces(view);
+  }
+  auto forces = nodes_.for_user(nodes_.f(), parts_.numbering);
+  backend_.for_each(nodes_.count(), ZeroForces<R>{nodes_.f()});
+  return forces;
+}
+
+template <Backend B, class R>
+std::vector<Vec3<double>> Simulation<B, R>::internal_force() const {
+  return forces_for_user(false);
+}
+
+/// The state holds v(n-1/2); half a kick of the present forces brings it to the time of u.
+template <Backend B, class R>
+std::vector<Vec3<double>> Simulation<B, R>::velocity() const {
+  auto v = nodes_.for_user(nodes_.v(), parts_.numbering);
+  if (step_ == 0 || relaxation_) return v;
+  const auto f = forces_for_user(true);
+  const auto mask = free_axes<double>(model_, parts_.numbering);
+  const double half = 0.5 * plan_.dt(), h = model_.time.damping * half;
+  for (std::size_t n = 0; n < v.size(); ++n) {
+    const auto i = static_cast<std::size_t>(parts_.numbering.internal_of_user[n]);
+    if (!(parts_.mass[i] > 0)) continue;
+    const double g = half / parts_.mass[i];
+    auto kicked = [&](double vi, double fi, double free) { return free > 0 ? (vi + g * fi) / (1 + h) : vi; };
+    v[n] = {kicked(v[n].x, f[n].x, mask[i].x), kicked(v[n].y, f[n].y, mask[i].y), kicked(v[n].z, f[n].z, mask[i].z)};
+  }
+  return v;
+}
+
+template <Backend B, class R>
+ElementFields Simulation<B, R>::element_fields() const {
+  const auto u = displacement();
+  return glisson::element_fields(model_, u, parts_.solids->history(), make_view().dt);
+}
+
+template <Backend B, class R>
+std::size_t Simulation<B, R>::memory_bytes() const {
+  return nodes_.memory_bytes() + power_.memory_bytes() + parts_.solids->memory_bytes();
+}
+
+constexpr std::uint64_t checkpoint_mark = 0x31'6b'63'20'73'69'6c'67;  // "glis ck1"
+
+template <Backend B, class R>
+void Simulation<B, R>::save(std::ostream& out) const {
+  write_value(out, checkpoint_mark);
+  write_value<std::uint64_t>(out, sizeof(R));
+  write_value(out, step_);
+  write_value(out, plan_);
+  write_value(out, std::array<double, 3>{strain_energy_, hourglass_energy_, stable_step_});
+  write_value(out, std::array<std::int64_t, 2>{next_recheck_, healthy_step_});
+  for (const Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector()}) write_array<Vec4<R>>(out, nodes_.get(a));
+  write_array<double>(out, parts_.solids->history());
+  monitor_.save(out);
+  if (relaxation_) relaxation_->save(out);
+  auto bytes = [&](const std::vector<std::byte>& b) { write_array<std::byte>(out, b); };
+  bytes(parts_.constraints->save());
+  for (const auto& load : parts_.loads) bytes(load->save());
+  for (const auto& body : parts_.bodies) bytes(body->save());
+  for (const auto& user : users_) bytes(user->provider().save());
+  write_array<Vec3<double>>(out, healthy_);
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::load(std::istream& in) {
+  if (read_value<std::uint64_t>(in) != checkpoint_mark || read_value<std::uint64_t>(in) != sizeof(R))
+    throw Error(ErrorKind::input, "The checkpoint was written with another precision or version. Resume with the same options.");
+  step_ = read_value<std::int64_t>(in);
+  plan_ = read_value<StepPlan>(in);
+  const auto scalars = read_value<std::array<double, 3>>(in);
+  strain_energy_ = scalars[0], hourglass_energy_ = scalars[1], stable_step_ = scalars[2];
+  const auto counters = read_value<std::array<std::int64_t, 2>>(in);
+  next_recheck_ = counters[0], healthy_step_ = counters[1];
+  for (Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector()}) nodes_.put(read_array<Vec4<R>>(in, nodes_.size()), a);
+  parts_.solids->set_history(read_array<double>(in, parts_.solids->history().size()));
+  monitor_.load(in);
+  if (relaxation_) relaxation_->load(in);
+  auto bytes = [&](std::size_t expected) { return read_array<std::byte>(in, expected); };
+  parts_.constraints->load(bytes(parts_.constraints->save().size()));
+  for (auto& load : parts_.loads) load->load(bytes(load->save().size()));
+  for (auto& body : parts_.bodies) body->load(bytes(body->save().size()));
+  for (auto& user : users_) user->provider().load(bytes(user->provider().save().size()));
+  healthy_ = read_array<Vec3<double>>(in, healthy_step_ > 0 ? nodes_.size() : 0);
+}
+
+}  // namespace glisson

@@ -1,0 +1,104 @@
+// Simulation: one step. Included by simulation.hpp.
+#pragma once
+
+namespace glisson {
+
+template <Backend B, class R>
+void Simulation<B, R>::step(std::int64_t count) {
+  for (std::int64_t i = 0; i < count && !finished(); ++i) one_step();
+}
+
+template <Backend B, class R>
+bool Simulation<B, R>::finished() const {
+  return relaxation_ ? relaxation_->converged() || relaxation_->exhausted(step_) : plan_.finished(step_);
+}
+
+/// The time that load curves see: in quasi-static mode the loads grow to their final value over the ramp.
+template <Backend B, class R>
+double Simulation<B, R>::load_time(std::int64_t step) const {
+  return relaxation_ ? model_.time.total * relaxation_->load_share(step) : plan_.time(step);
+}
+
+template <Backend B, class R>
+double Simulation<B, R>::time() const {
+  return load_time(step_);
+}
+
+template <Backend B, class R>
+template <class F>
+void Simulation<B, R>::with_stepper(F&& use) const {
+  const double damping = relaxation_ ? relaxation_->damping() : model_.time.damping;
+  const double interval = plan_.force_interval(step_);
+  if (stepper_ == Stepper::newmark)
+    use(Newmark<R>::make(damping, interval, plan_.dt()));
+  else
+    use(CentralDifference<R>::make(damping, interval, plan_.dt()));
+}
+
+template <Backend B, class R>
+StepView<R> Simulation<B, R>::make_view() const {
+  StepView<R> view;
+  view.u = nodes_.u();
+  view.v = nodes_.v();
+  view.f = nodes_.f();
+  view.node_count = nodes_.count();
+  view.step = step_;
+  view.t = load_time(step_);
+  // a static solution is one of infinite time: Prony terms are fully relaxed
+  view.dt = relaxation_ ? 1e30 : plan_.dt();
+  const double damping = relaxation_ ? relaxation_->damping() : model_.time.damping;
+  const double interval = plan_.force_interval(step_);
+  view.advance_per_force = R(plan_.dt() * interval / (1 + 0.5 * damping * interval));
+  view.monitor = !relaxation_;
+  view.strain_energy = strain_energy_;
+  view.stream = backend_.stream();
+  return view;
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::add_forces(StepView<R>& view) {
+  parts_.solids->add_forces(view);
+  if (relaxation_) relaxation_->note_internal_force(step_);
+  for (auto& load : parts_.loads) load->add_forces(view);
+  for (auto& user : users_)
+    if (!user->provider().needs_prediction()) user->add_forces(view);
+}
+
+/// Contact sees where the nodes would be without it.
+template <Backend B, class R>
+void Simulation<B, R>::predict_and_touch(StepView<R>& view) {
+  if (!u_predicted_) return;
+  with_stepper([&]<class S>(const S& stepper) {
+    backend_.for_each(nodes_.count(), PredictNodes<R, S>{view.u, view.v, view.f, u_predicted_.get(), stepper});
+  });
+  view.u_predicted = u_predicted_.get();
+  for (auto& body : parts_.bodies) body->add_forces(view);
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::advance(bool energies) {
+  with_stepper([&]<class S>(const S& stepper) {
+    const AdvanceNodes<R, S> body{nodes_.u(), nodes_.v(), nodes_.f(), stepper};
+    if (!energies) return backend_.for_each(nodes_.count(), body);
+    const double damping = relaxation_ ? 0 : model_.time.damping;
+    backend_.for_each(monitor_.chunk_count(), AdvanceNodesMonitored<R, S>{body, monitor_.chunks(), nodes_.count(), damping,
+                                                                         plan_.dt(), step_ == 0});
+  });
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::one_step() {
+  const bool due = step_ % monitor_every_ == 0 || step_ + 1 == plan_.last_step();
+  if (due) review();
+  StepView<R> view = make_view();
+  add_forces(view);
+  predict_and_touch(view);
+  if (relaxation_) relaxation_->update(step_, plan_.dt());
+  parts_.constraints->before_advance(nodes_.v(), nodes_.f());
+  advance(due || model_.time.damping > 0);
+  parts_.constraints->apply(nodes_.u(), nodes_.v(), view.t, load_time(step_ + 1), plan_.dt());
+  if (due) account(view.t);
+  ++step_;
+}
+
+}  // namespace glisson
