@@ -1,0 +1,53 @@
+// The matrix that every scenario runs on: backend x precision. No test name contains a backend.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include <glisson/core/base/error.hpp>
+#include <glisson/run/make_simulation.hpp>
+
+namespace glisson::test {
+
+struct Case {
+  const char* name;
+  const char* device;
+  Precision precision;
+  /// What single precision may add to an error, relative to the largest displacement.
+  double rounding() const { return precision == Precision::single_precision ? 2e-5 : 1e-10; }
+};
+
+inline std::unique_ptr<AnySimulation> simulate(const Model& model, const Case& c, int threads = 2) {
+  SimulationOptions options;
+  options.device = c.device;
+  options.precision = c.precision;
+  options.threads = threads;
+  return make_simulation(model, options);
+}
+
+/// Runs to the end and gives the displacement.
+inline std::vector<Vec3<double>> final_displacement(const Model& model, const Case& c) {
+  auto simulation = simulate(model, c);
+  while (!simulation->finished()) simulation->step(100);
+  return simulation->displacement();
+}
+
+constexpr Case serial_double{"SerialDouble", "serial", Precision::double_precision};
+constexpr Case threads_float{"ThreadsFloat", "cpu", Precision::single_precision};
+
+inline const Case all_cases[] = {serial_double,
+                                 {"SerialFloat", "serial", Precision::single_precision},
+                                 {"ThreadsDouble", "cpu", Precision::double_precision},
+                                 threads_float,
+                                 {"EmulatedFloat", "emulated", Precision::single_precision}};
+
+class Matrix : public testing::TestWithParam<Case> {};
+
+inline std::string case_name(const testing::TestParamInfo<Case>& info) { return info.param.name; }
+
+}  // namespace glisson::test
+
+#define GLISSON_ALL_CASES(suite)                                                                            \
+  INSTANTIATE_TEST_SUITE_P(All, suite, testing::ValuesIn(glisson::test::all_cases), glisson::test::case_name)
