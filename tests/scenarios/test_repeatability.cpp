@@ -1,0 +1,101 @@
+// The same bits every time: twice, for any number of threads, interrupted and resumed.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <sstream>
+
+#include <tests/support/cases.hpp>
+#include <tests/support/models.hpp>
+
+namespace glisson::test {
+namespace {
+
+/// Everything at once: two materials, viscosity, gravity, pressure, prescribed motion, springs, a plate, damping.
+Model busy_model(Formulation formulation, bool quasi_static) {
+  Model model = box_model({12, 6, 6}, {0.12, 0.06, 0.06}, formulation, {"NH", {1000, 20000}, 1000}, 0.1);
+  Section tail = model.sections[0];
+  tail.elements.assign(model.sections[0].elements.begin() + 200, model.sections[0].elements.end());
+  model.sections[0].elements.resize(200);
+  tail.material.isochoric = {{0.3, 0.02}, {0.2, 0.2}};
+  tail.material.parameters = {1500, 20000};
+  model.sections.push_back(tail);
+  model.fixed.push_back({face(model.mesh, 0, 0), all_axes});
+  model.displacements.push_back({face(model.mesh, 0, 0.12), 1, {0.005}, smooth_curve(0.2)});
+  model.gravity.push_back({{}, {0, 0, -9.81}, ramp_curve(0.2)});
+  model.springs.push_back({face(model.mesh, 1, 0.06), {{0, 0.004, 0}}, {0.5}, ramp_curve(0.2), step_curve(0.2), 1e-5});
+  RigidBody plate;
+  plate.corners = {Vec3<double>{-1, -1, -0.0005}, Vec3<double>{1, -1, -0.0005}, Vec3<double>{-1, 1, -0.0005}};
+  model.bodies.push_back(plate);
+  model.time.total = 0.2;
+  model.time.damping = 5;
+  model.time.energy_tolerance = 0;
+  if (quasi_static) model.time.quasi_static = QuasiStatic{1e-3, 1e-3, 900};
+  return model;
+}
+
+bool same_bits(const std::vector<Vec3<double>>& a, const std::vector<Vec3<double>>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+}
+
+class Repeatability : public Matrix {};
+
+TEST_P(Repeatability, TwiceAndWithOneTwoAndThreeThreads) {
+  for (const auto formulation : {Formulation::t4, Formulation::t4anp, Formulation::h8}) {
+    const Model model = busy_model(formulation, false);
+    auto run = [&](int threads) {
+      auto simulation = simulate(model, GetParam(), threads);
+      simulation->step(700);
+      return simulation->displacement();
+    };
+    const auto first = run(1);
+    EXPECT_TRUE(same_bits(first, run(1)));
+    EXPECT_TRUE(same_bits(first, run(2)));
+    EXPECT_TRUE(same_bits(first, run(3)));
+  }
+}
+
+TEST_P(Repeatability, InterruptedAnywhereAndResumed) {
+  for (const bool quasi_static : {false, true}) {
+    const Model model = busy_model(Formulation::t4, quasi_static);
+    auto whole = simulate(model, GetParam());
+    whole->step(700);
+    for (const int stop : {1, 333, 505}) {
+      std::stringstream checkpoint;
+      {
+        auto first = simulate(model, GetParam());
+        first->step(stop);
+        first->displacement();
+        first->element_fields();  // looking at results must not change the run
+        first->velocity();
+        first->save(checkpoint);
+      }
+      auto second = simulate(model, GetParam());
+      second->load(checkpoint);
+      second->step(700 - stop);
+      EXPECT_TRUE(same_bits(whole->displacement(), second->displacement())) << "stopped at " << stop;
+      EXPECT_EQ(whole->energies().imbalance(), second->energies().imbalance());
+    }
+  }
+}
+
+TEST_P(Repeatability, TwoSimulationsOfOneModelDoNotDisturbEachOther) {
+  const Model model = busy_model(Formulation::t4, false);
+  auto a = simulate(model, GetParam()), b = simulate(model, GetParam());
+  for (int i = 0; i < 10; ++i) a->step(5), b->step(3), b->step(2);
+  EXPECT_TRUE(same_bits(a->displacement(), b->displacement()));
+}
+
+GLISSON_ALL_CASES(Repeatability);
+
+TEST(Checkpoint, OfAnotherModelOrDamagedIsRefused) {
+  const Model model = busy_model(Formulation::t4, false), other = busy_model(Formulation::t4anp, false);
+  std::stringstream checkpoint;
+  simulate(model, serial_double)->save(checkpoint);
+  const std::string bytes = checkpoint.str();
+  std::stringstream cut(bytes.substr(0, bytes.size() / 2)), again(bytes);
+  EXPECT_THROW(simulate(model, serial_double)->load(cut), Error);
+  EXPECT_THROW(simulate(model, threads_float)->load(again), Error);
+}
+
+}  // namespace
+}  // namespace glisson::test
