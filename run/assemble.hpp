@@ -1,0 +1,46 @@
+// Puts a simulation together for one backend and precision. Included only by the instantiation files run/simulate_*.cpp, the
+// only places that name both a backend and the providers.
+#pragma once
+
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include <glisson/contact/analytic/rigid_bodies.hpp>
+#include <glisson/core/loads/make_loads.hpp>
+#include <glisson/core/simulation/simulation.hpp>
+#include <glisson/core/solids/mass.hpp>
+#include <glisson/core/solids/stable_step.hpp>
+
+namespace glisson {
+
+/// In the internal node order.
+inline std::vector<double> reordered(const std::vector<double>& user, const Numbering& numbering) {
+  std::vector<double> internal(user.size());
+  for (std::size_t n = 0; n < user.size(); ++n)
+    internal[n] = user[static_cast<std::size_t>(numbering.user_of_internal[n])];
+  return internal;
+}
+
+/// make_solids(backend, model, numbering) -> std::unique_ptr<SolidForces<R>>.
+template <Backend B, class R, class MakeSolids>
+std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> backend, std::string device,
+                                        MakeSolids&& make_solids) {
+  SimulationParts<B, R> parts;
+  parts.device = std::move(device);
+  parts.numbering = make_numbering(model.mesh);
+  const ScaledMass inertia = inertial_mass(model);
+  parts.mass = reordered(inertia.mass, parts.numbering);
+  parts.added_mass = inertia.added_share;
+  parts.element_step = inertia.step;
+  parts.solids = make_solids(*backend, model, parts.numbering);
+  const std::vector<double> gravity_mass = reordered(lumped_mass(model), parts.numbering);
+  parts.loads = make_loads<B, R>(*backend, model, parts.numbering, gravity_mass);
+  parts.bodies = contact::make_rigid_bodies<B, R>(*backend, model, parts.numbering, parts.mass);
+  parts.constraints = std::make_unique<Constraints<B, R>>(*backend, model, parts.numbering, parts.mass);
+  parts.backend = std::move(backend);
+  return std::make_unique<Simulation<B, R>>(model, std::move(parts));
+}
+
+}  // namespace glisson

@@ -1,1 +1,0 @@
-#include <glisson/run/make_simulation.hpp>
