@@ -4,21 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include <glisson/core/constraints/constraints.hpp>
 #include <glisson/core/model.hpp>
 #include <glisson/core/simulation/archive.hpp>
 #include <glisson/core/simulation/node_state.hpp>
 
 namespace glisson {
-
-/// a with the constrained components set to zero.
-template <class R>
-struct MaskNodes {
-  const Vec4<R>*a, *mask;  ///< mask: 1 free, 0 constrained, per axis
-  Vec4<R>* out;
-  GLISSON_HD void operator()(int n) const {
-    out[n] = {a[n].x * mask[n].x, a[n].y * mask[n].y, a[n].z * mask[n].z, R(0)};
-  }
-};
 
 /// Underwood 1983 (in: Belytschko & Hughes, Computational Methods for Transient Analysis, ch. 5): the lowest frequency that takes part is
 /// omega^2 = du.(f_int(n) - f_int(n-1)) / du.M du with du = u(n) - u(n-1); critical damping is 2 omega. The mass is fictitious
@@ -28,12 +19,10 @@ class DynamicRelaxation {
  public:
   static constexpr std::int64_t interval = 10;  ///< steps between two estimates
 
-  DynamicRelaxation(B& backend, NodeState<B, R>& nodes, const QuasiStatic& settings, std::int64_t ramp_steps,
-                    const std::vector<Vec4<R>>& mask)
-      : backend_(backend), nodes_(nodes), settings_(settings), ramp_steps_(ramp_steps), f_before_(nodes.zeros()),
-        work_(nodes.zeros()), mask_(nodes.zeros()) {
-    nodes_.put(mask, mask_.get());
-  }
+  DynamicRelaxation(B& backend, NodeState<B, R>& nodes, Constraints<B, R>& constraints, const QuasiStatic& settings,
+                    std::int64_t ramp_steps)
+      : backend_(backend), nodes_(nodes), constraints_(constraints), settings_(settings), ramp_steps_(ramp_steps),
+        f_before_(nodes.zeros()), residual_(nodes.zeros()) {}
 
   double damping() const { return damping_; }
   std::int64_t ramp_steps() const { return ramp_steps_; }
@@ -88,8 +77,9 @@ class DynamicRelaxation {
     damping_ = std::min(2 * omega_, 1.8 / dt);  // 1 - h stays positive
   }
   void measure() {
-    backend_.for_each(nodes_.count(), MaskNodes<R>{nodes_.f(), mask_.get(), work_.get()});
-    const double force = std::sqrt(nodes_.dot(work_.get(), work_.get(), false));
+    backend_.for_each(nodes_.count(), Copy<R>{nodes_.f(), residual_.get()});
+    constraints_.project(residual_.get());
+    const double force = std::sqrt(nodes_.dot(residual_.get(), residual_.get(), false));
     const double speed = std::sqrt(nodes_.largest(nodes_.v())), reach = std::sqrt(nodes_.largest(nodes_.u()));
     residuals_[0] = internal_ > 0 ? force / internal_ : force > 0 ? 1.0 : 0.0;
     residuals_[1] = reach > 0 && omega_ > 0 ? speed / (omega_ * reach) : speed > 0 ? 1.0 : 0.0;
@@ -97,9 +87,10 @@ class DynamicRelaxation {
 
   B& backend_;
   NodeState<B, R>& nodes_;
+  Constraints<B, R>& constraints_;
   QuasiStatic settings_;
   std::int64_t ramp_steps_;
-  Buffer<Vec4<R>> f_before_, work_, mask_;
+  Buffer<Vec4<R>> f_before_, residual_;
   double damping_ = 0, omega_ = 0, internal_ = 0;
   std::array<double, 2> residuals_{1, 1};
   bool converged_ = false;

@@ -3,24 +3,6 @@
 
 namespace glisson {
 
-/// 1 where a node may move freely along an axis, 0 where a constraint decides; internal order.
-template <class R>
-std::vector<Vec4<R>> free_axes(const Model& model, const Numbering& numbering) {
-  std::vector<Vec4<R>> mask(numbering.internal_of_user.size(), {R(1), R(1), R(1), R(0)});
-  auto hold = [&](const std::vector<int>& nodes, Axes axes) {
-    for (const int user : nodes) {
-      auto& m = mask[static_cast<std::size_t>(numbering.internal_of_user[static_cast<std::size_t>(user)])];
-      if (axes & 1u) m.x = R(0);
-      if (axes & 2u) m.y = R(0);
-      if (axes & 4u) m.z = R(0);
-    }
-  };
-  for (const auto& fixed : model.fixed) hold(fixed.nodes, fixed.axes);
-  for (const auto& disp : model.displacements) hold(disp.nodes, disp.axes);
-  for (const auto& plane : model.planes) hold(plane.nodes, all_axes);
-  return mask;
-}
-
 /// The rule of NiftySim where the file does not choose: Newmark if every element is T4ANP.
 inline Stepper default_stepper(const Model& model) {
   const bool averaged = std::all_of(model.sections.begin(), model.sections.end(),
@@ -43,7 +25,7 @@ Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
   if (model.time.quasi_static) {
     // long enough for the slowest wave to cross the mesh several times at one element per step
     const auto ramp = static_cast<std::int64_t>(50 + 10 * std::cbrt(double(nodes_.count())));
-    relaxation_.emplace(backend_, nodes_, *model.time.quasi_static, ramp, free_axes<R>(model, parts_.numbering));
+    relaxation_.emplace(backend_, nodes_, *parts_.constraints, *model.time.quasi_static, ramp);
   }
   choose_step();
   set_initial_velocity();
@@ -53,15 +35,10 @@ template <Backend B, class R>
 void Simulation<B, R>::set_initial_velocity() {
   if (model_.initial_velocities.empty()) return;
   auto v = nodes_.get(nodes_.v());
-  for (const auto& initial : model_.initial_velocities)
-    for (const int user : initial.nodes) {
-      auto& a = v[static_cast<std::size_t>(parts_.numbering.internal_of_user[static_cast<std::size_t>(user)])];
-      a = {R(initial.velocity.x), R(initial.velocity.y), R(initial.velocity.z), a.w};
-    }
-  const auto mask = free_axes<R>(model_, parts_.numbering);
-  for (std::size_t n = 0; n < v.size(); ++n)
-    v[n] = {v[n].x * mask[n].x, v[n].y * mask[n].y, v[n].z * mask[n].z, v[n].w};
+  const auto initial = initial_velocity(model_, parts_.numbering);
+  for (std::size_t n = 0; n < v.size(); ++n) v[n] = {R(initial[n].x), R(initial[n].y), R(initial[n].z), v[n].w};
   nodes_.put(v, nodes_.v());
+  parts_.constraints->project(nodes_.v());
 }
 
 template <Backend B, class R>
@@ -85,7 +62,8 @@ std::vector<Vec3<double>> Simulation<B, R>::displacement() const {
   return nodes_.for_user(nodes_.u(), parts_.numbering);
 }
 
-/// Forces of the present state in the user's order, without touching the run; f is zero before and after.
+/// Forces of the present state in the user's order, without touching the run; f is zero before and after. With loads: what is
+/// left of them in the free directions.
 template <Backend B, class R>
 std::vector<Vec3<double>> Simulation<B, R>::forces_for_user(bool with_loads) const {
   StepView<R> view = make_view();
@@ -96,6 +74,7 @@ std::vector<Vec3<double>> Simulation<B, R>::forces_for_user(bool with_loads) con
     for (auto& load : parts_.loads) load->add_forces(view);
     for (auto& user : users_) user->add_forces(view);
   }
+  if (with_loads) parts_.constraints->project(nodes_.f());
   auto forces = nodes_.for_user(nodes_.f(), parts_.numbering);
   backend_.for_each(nodes_.count(), ZeroForces<R>{nodes_.f()});
   return forces;
@@ -112,14 +91,11 @@ std::vector<Vec3<double>> Simulation<B, R>::velocity() const {
   auto v = nodes_.for_user(nodes_.v(), parts_.numbering);
   if (step_ == 0 || relaxation_) return v;
   const auto f = forces_for_user(true);
-  const auto mask = free_axes<double>(model_, parts_.numbering);
   const double half = 0.5 * plan_.dt(), h = model_.time.damping * half;
   for (std::size_t n = 0; n < v.size(); ++n) {
-    const auto i = static_cast<std::size_t>(parts_.numbering.internal_of_user[n]);
-    if (!(parts_.mass[i] > 0)) continue;
-    const double g = half / parts_.mass[i];
-    auto kicked = [&](double vi, double fi, double free) { return free > 0 ? (vi + g * fi) / (1 + h) : vi; };
-    v[n] = {kicked(v[n].x, f[n].x, mask[i].x), kicked(v[n].y, f[n].y, mask[i].y), kicked(v[n].z, f[n].z, mask[i].z)};
+    const double mass = parts_.mass[static_cast<std::size_t>(parts_.numbering.internal_of_user[n])];
+    const bool pushed = f[n].x != 0 || f[n].y != 0 || f[n].z != 0;  // constrained nodes have no force left
+    if (mass > 0 && pushed) v[n] = (1 / (1 + h)) * (v[n] + (half / mass) * f[n]);
   }
   return v;
 }

@@ -94,9 +94,11 @@ void Simulation<B, R>::one_step() {
   add_forces(view);
   predict_and_touch(view);
   if (relaxation_) relaxation_->update(step_, plan_.dt());
-  parts_.constraints->before_advance(nodes_.v(), nodes_.f());
+  const double t_next = load_time(step_ + 1);
+  if (view.monitor)
+    with_stepper([&](const auto& stepper) { parts_.constraints->add_reactions(view, t_next, stepper); });
   advance(due || model_.time.damping > 0);
-  parts_.constraints->apply(nodes_.u(), nodes_.v(), view.t, load_time(step_ + 1), plan_.dt());
+  parts_.constraints->apply(nodes_.u(), nodes_.v(), t_next, plan_.dt());
   if (due) account(view.t);
   ++step_;
 }
