@@ -41,6 +41,7 @@ struct StepReport {
   std::string limited_by;    ///< "element 17 (T4, NH)" or a provider's name
   double added_mass = 0;     ///< by mass scaling, share of the mass [-]
   std::int64_t planned_steps = 0;  ///< to the end of the run; 0 in quasi-static mode
+  std::string ending;              ///< quasi-static: "converged", "stalled: ...", "not converged: ..."; empty before the end
 };
 
 /// Every array is in the user's node and element numbering.

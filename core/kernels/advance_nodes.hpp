@@ -29,6 +29,25 @@ struct AdvanceNodes {
   }
 };
 
+/// AdvanceNodes with compensated summation of u (Kahan 1965): a relaxation ends with steps that are smaller than the rounding of
+/// u in float; without the carry they would be lost and the run would stall at a force residual of 1e-4.
+template <class R, class Stepper>
+struct AdvanceNodesCompensated {
+  AdvanceNodes<R, Stepper> advance;
+  Vec4<R>* carry;  ///< what u still owes [m]  [node_count]
+
+  GLISSON_HD void operator()(int n) const {
+    const Vec4<R> before = advance.u[n], c = carry[n];
+    advance.u[n] = {R(0), R(0), R(0), before.w};
+    advance(n);
+    const Vec4<R> d = advance.u[n];
+    const Vec3<R> add{d.x - c.x, d.y - c.y, d.z - c.z};
+    const Vec4<R> sum{before.x + add.x, before.y + add.y, before.z + add.z, before.w};
+    carry[n] = {(sum.x - before.x) - add.x, (sum.y - before.y) - add.y, (sum.z - before.z) - add.z, R(0)};
+    advance.u[n] = sum;
+  }
+};
+
 /// u_predicted = u(t + dt) under the forces summed so far.
 template <class R, class Stepper>
 struct PredictNodes {

@@ -3,6 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <string>
 
 #include <glisson/core/constraints/constraints.hpp>
 #include <glisson/core/model.hpp>
@@ -20,14 +23,24 @@ class DynamicRelaxation {
   static constexpr std::int64_t interval = 10;  ///< steps between two estimates
 
   DynamicRelaxation(B& backend, NodeState<B, R>& nodes, Constraints<B, R>& constraints, const QuasiStatic& settings,
-                    std::int64_t ramp_steps)
+                    std::int64_t ramp_steps, std::span<const double> mass)
       : backend_(backend), nodes_(nodes), constraints_(constraints), settings_(settings), ramp_steps_(ramp_steps),
-        f_before_(nodes.zeros()), residual_(nodes.zeros()) {}
+        f_before_(nodes.zeros()), residual_(nodes.zeros()), carry_(nodes.zeros()) {
+    for (const double m : mass) mass_norm_ += m * m;
+    mass_norm_ = std::sqrt(mass_norm_);
+  }
 
   double damping() const { return damping_; }
   std::int64_t ramp_steps() const { return ramp_steps_; }
   bool converged() const { return converged_; }
-  bool exhausted(std::int64_t step) const { return step >= settings_.max_steps; }
+  bool ended(std::int64_t step) const { return converged_ || stalled_ || step >= settings_.max_steps; }
+  /// How the run ended; empty while it runs.
+  std::string ending(std::int64_t step) const {
+    if (converged_) return "converged";
+    if (stalled_) return "stalled: the residuals no longer fall; this is the accuracy of the precision in use";
+    return step >= settings_.max_steps ? "not converged: MaxSteps reached" : "";
+  }
+  Vec4<R>* carry() const { return carry_.get(); }
   std::array<double, 2> residuals() const { return residuals_; }
 
   /// Share of the loads at `step`: smooth from 0 to 1 over the ramp.
@@ -46,26 +59,29 @@ class DynamicRelaxation {
     if (step % interval == interval - 1) backend_.for_each(nodes_.count(), Copy<R>{nodes_.f(), f_before_.get()});
     if (step % interval != 0 || step == 0) return;
     estimate_damping(dt);
-    measure();
-    converged_ = step >= ramp_steps_ + interval && residuals_[0] < settings_.force_tolerance &&
-                 residuals_[1] < settings_.displacement_tolerance;
+    measure(dt);
+    converged_ = step >= ramp_steps_ + interval && residuals_[0] < std::max(settings_.force_tolerance, rounding_) &&
+                 residuals_[1] < std::max(settings_.displacement_tolerance, 8 * double(std::numeric_limits<R>::epsilon()));
+    watch_progress(step);
   }
 
   void save(std::ostream& out) const {
-    write_value(out, Scalars{damping_, omega_, internal_, residuals_, converged_});
-    write_array<Vec4<R>>(out, nodes_.get(f_before_.get()));
+    write_value(out, Scalars{damping_, omega_, internal_, best_, residuals_, best_step_, converged_, stalled_});
+    for (const Vec4<R>* a : {f_before_.get(), carry_.get()}) write_array<Vec4<R>>(out, nodes_.get(a));
   }
   void load(std::istream& in) {
     const auto s = read_value<Scalars>(in);
-    damping_ = s.damping, omega_ = s.omega, internal_ = s.internal, residuals_ = s.residuals, converged_ = s.converged;
-    nodes_.put(read_array<Vec4<R>>(in, nodes_.size()), f_before_.get());
+    damping_ = s.damping, omega_ = s.omega, internal_ = s.internal, best_ = s.best, residuals_ = s.residuals;
+    best_step_ = s.best_step, converged_ = s.converged, stalled_ = s.stalled;
+    for (Vec4<R>* a : {f_before_.get(), carry_.get()}) nodes_.put(read_array<Vec4<R>>(in, nodes_.size()), a);
   }
 
  private:
   struct Scalars {
-    double damping, omega, internal;
+    double damping, omega, internal, best;
     std::array<double, 2> residuals;
-    bool converged;
+    std::int64_t best_step;
+    bool converged, stalled;
   };
 
   void estimate_damping(double dt) {
@@ -76,11 +92,20 @@ class DynamicRelaxation {
     if (omega2 > 0) omega_ = std::min(std::sqrt(omega2), highest);
     damping_ = std::min(2 * omega_, 1.8 / dt);  // 1 - h stays positive
   }
-  void measure() {
+  /// Rounding ends the descent: no better residual for as long as the slowest mode needs to lose a factor of ten.
+  void watch_progress(std::int64_t step) {
+    const double now = std::max(residuals_[0] / settings_.force_tolerance, residuals_[1] / settings_.displacement_tolerance);
+    if (step < ramp_steps_ || now < 0.9 * best_) best_ = now, best_step_ = step;
+    stalled_ = step - best_step_ > std::max<std::int64_t>(2000, 4 * ramp_steps_);
+  }
+  void measure(double dt) {
     backend_.for_each(nodes_.count(), Copy<R>{nodes_.f(), residual_.get()});
     constraints_.project(residual_.get());
     const double force = std::sqrt(nodes_.dot(residual_.get(), residual_.get(), false));
     const double speed = std::sqrt(nodes_.largest(nodes_.v())), reach = std::sqrt(nodes_.largest(nodes_.u()));
+    // u is rounded to half an ulp; a stiff node with m omega_max^2 / 2 = 2 m / dt^2 answers with this force, which no step can remove
+    const double ulp = double(std::numeric_limits<R>::epsilon()) * reach;
+    rounding_ = internal_ > 0 ? 2 * mass_norm_ / (dt * dt) * ulp / internal_ : 0;
     residuals_[0] = internal_ > 0 ? force / internal_ : force > 0 ? 1.0 : 0.0;
     residuals_[1] = reach > 0 && omega_ > 0 ? speed / (omega_ * reach) : speed > 0 ? 1.0 : 0.0;
   }
@@ -90,10 +115,14 @@ class DynamicRelaxation {
   Constraints<B, R>& constraints_;
   QuasiStatic settings_;
   std::int64_t ramp_steps_;
-  Buffer<Vec4<R>> f_before_, residual_;
+  Buffer<Vec4<R>> f_before_, residual_, carry_;
+  double mass_norm_ = 0;  ///< Euclidean norm of the nodal masses [kg]
+  double rounding_ = 0;   ///< force residual that rounding of u causes [-]
   double damping_ = 0, omega_ = 0, internal_ = 0;
+  double best_ = std::numeric_limits<double>::infinity();  ///< smallest residual over its tolerance so far [-]
   std::array<double, 2> residuals_{1, 1};
-  bool converged_ = false;
+  std::int64_t best_step_ = 0;
+  bool converged_ = false, stalled_ = false;
 };
 
 }  // namespace glisson

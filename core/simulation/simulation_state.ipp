@@ -25,7 +25,7 @@ Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
   if (model.time.quasi_static) {
     // long enough for the slowest wave to cross the mesh several times at one element per step
     const auto ramp = static_cast<std::int64_t>(50 + 10 * std::cbrt(double(nodes_.count())));
-    relaxation_.emplace(backend_, nodes_, *parts_.constraints, *model.time.quasi_static, ramp);
+    relaxation_.emplace(backend_, nodes_, *parts_.constraints, *model.time.quasi_static, ramp, parts_.mass);
   }
   choose_step();
   set_initial_velocity();

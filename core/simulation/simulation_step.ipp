@@ -10,7 +10,7 @@ void Simulation<B, R>::step(std::int64_t count) {
 
 template <Backend B, class R>
 bool Simulation<B, R>::finished() const {
-  return relaxation_ ? relaxation_->converged() || relaxation_->exhausted(step_) : plan_.finished(step_);
+  return relaxation_ ? relaxation_->ended(step_) : plan_.finished(step_);
 }
 
 /// The time that load curves see: in quasi-static mode the loads grow to their final value over the ramp.
@@ -79,10 +79,13 @@ template <Backend B, class R>
 void Simulation<B, R>::advance(bool energies) {
   with_stepper([&]<class S>(const S& stepper) {
     const AdvanceNodes<R, S> body{nodes_.u(), nodes_.v(), nodes_.f(), stepper};
-    if (!energies) return backend_.for_each(nodes_.count(), body);
-    const double damping = relaxation_ ? 0 : model_.time.damping;
-    backend_.for_each(monitor_.chunk_count(), AdvanceNodesMonitored<R, S>{body, monitor_.chunks(), nodes_.count(), damping,
-                                                                         plan_.dt(), step_ == 0});
+    if (relaxation_)
+      backend_.for_each(nodes_.count(), AdvanceNodesCompensated<R, S>{body, relaxation_->carry()});
+    else if (energies)
+      backend_.for_each(monitor_.chunk_count(), AdvanceNodesMonitored<R, S>{body, monitor_.chunks(), nodes_.count(),
+                                                                           model_.time.damping, plan_.dt(), step_ == 0});
+    else
+      backend_.for_each(nodes_.count(), body);
   });
 }
 
