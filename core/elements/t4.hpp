@@ -8,6 +8,7 @@ namespace glisson {
 /// Johnsen 2016, eq. 4.11. Stored: the inverse rest edge matrix and the volume, 10 numbers (they beat 12 shape derivatives).
 struct T4 {
   static constexpr int node_count = 4;
+  static constexpr int point_count = 1;
   static constexpr int constant_count = 10;
 
   template <class R>
@@ -40,6 +41,36 @@ struct T4 {
       f[a + 1] = {row(0), row(1), row(2)};
     }
     f[0] = R(-1) * (f[1] + f[2] + f[3]);
+  }
+
+  /// f <- forces on the nodes; stress(H, point) gives P.
+  template <class R, class Stress>
+  GLISSON_HD static void forces(const Constants<R>& c, const Vec3<R> (&u)[4], const Stress& stress, Vec3<R> (&f)[4]) {
+    nodal_forces(c, stress(displacement_gradient(c, u), 0), f);
+  }
+  /// visit(H, weight [m^3], point) for each integration point.
+  template <class R, class Visit>
+  GLISSON_HD static void points(const Constants<R>& c, const Vec3<R> (&u)[4], const Visit& visit) {
+    visit(displacement_gradient(c, u), c.volume, 0);
+  }
+  template <class R>
+  GLISSON_HD static R hourglass_energy(const Constants<R>&, const Vec3<R> (&)[4]) {
+    return R(0);
+  }
+
+  /// From rest positions, in double.
+  static Constants<double> make(const Vec3<double> (&X)[4], double /*hourglass stiffness*/ = 0) {
+    const Vec3<double> a = X[1] - X[0], b = X[2] - X[0], c = X[3] - X[0];
+    const double six_volumes = dot(cross(a, b), c);
+    const Vec3<double> rows[3] = {cross(b, c), cross(c, a), cross(a, b)};
+    Constants<double> constants{};
+    for (int i = 0; i < 3; ++i) {
+      constants.B[i][0] = rows[i].x / six_volumes;
+      constants.B[i][1] = rows[i].y / six_volumes;
+      constants.B[i][2] = rows[i].z / six_volumes;
+    }
+    constants.volume = six_volumes / 6;
+    return constants;
   }
 };
 
