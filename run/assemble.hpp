@@ -30,7 +30,7 @@ std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> b
   SimulationParts<B, R> parts;
   parts.device = std::move(device);
   parts.numbering = make_numbering(model.mesh);
-  const ScaledMass inertia = inertial_mass(model);
+  const InertialMass inertia = inertial_mass(model);
   parts.mass = reordered(inertia.mass, parts.numbering);
   parts.added_mass = inertia.added_share;
   parts.element_step = inertia.step;

@@ -1,0 +1,24 @@
+// The stable step of single elements: a bound for the whole mesh.
+#pragma once
+
+#include <functional>
+#include <limits>
+
+#include <glisson/core/model.hpp>
+
+namespace glisson {
+
+struct StableStep {
+  double dt = std::numeric_limits<double>::infinity();  ///< 2 / omega_max of the element [s]
+  int element = -1;                                     ///< user's number
+  double smallest_size = std::numeric_limits<double>::infinity();  ///< of any element: V / largest facet-like area [m]
+};
+
+/// visit(element, its stable step [s], its volume [m^3], its size [m], its density) for all elements of all sections, by section.
+void visit_element_steps(const Model& model,
+                         const std::function<void(int, double, double, double, double)>& visit);
+
+/// The smallest of them.
+StableStep element_stable_step(const Model& model);
+
+}  // namespace glisson
