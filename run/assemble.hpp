@@ -36,7 +36,7 @@ std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> b
   parts.element_step = inertia.step;
   parts.solids = make_solids(*backend, model, parts.numbering);
   const std::vector<double> gravity_mass = reordered(lumped_mass(model), parts.numbering);
-  parts.loads = make_loads<B, R>(*backend, model, parts.numbering, gravity_mass);
+  parts.loads = make_loads<B, R>(*backend, model, parts.numbering, gravity_mass, parts.mass);
   parts.bodies = contact::make_rigid_bodies<B, R>(*backend, model, parts.numbering, parts.mass);
   parts.constraints = std::make_unique<Constraints<B, R>>(*backend, model, parts.numbering);
   parts.backend = std::move(backend);

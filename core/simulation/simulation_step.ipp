@@ -44,6 +44,7 @@ StepView<R> Simulation<B, R>::make_view() const {
   view.node_count = nodes_.count();
   view.step = step_;
   view.t = load_time(step_);
+  view.t_next = load_time(step_ + 1);
   // a static solution is one of infinite time: Prony terms are fully relaxed
   view.dt = relaxation_ ? 1e30 : plan_.dt();
   const double damping = relaxation_ ? relaxation_->damping() : model_.time.damping;

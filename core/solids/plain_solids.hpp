@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include <glisson/core/backend.hpp>
 #include <glisson/core/kernels/averaged_pressure.hpp>
 #include <glisson/core/solids/host_blocks.hpp>
 #include <glisson/core/solids/solid_forces.hpp>
