@@ -1,6 +1,8 @@
 // Series, histories, text files: complete or absent, continued after a restart, honest about a full disk.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <glisson/models/output/atomic_file.hpp>
@@ -130,6 +132,26 @@ TEST(OutputSeries, AFullDiskLeavesTheLastSnapshotAndNamesIt) {
   EXPECT_EQ(file_count(folder.path), 3u);
   series.write(mesh, sample_state(mesh, 1));  // space was made
   EXPECT_TRUE(contains(content(series.collection()), "s_000002.vtu"));
+}
+
+TEST(OutputSeries, AKilledProcessLeavesOnlyCompleteSnapshots) {
+  const Mesh mesh = mixed_mesh();
+  for (const int microseconds : {300, 1000, 3000, 10'000, 30'000}) {
+    const OwnFolder folder;
+    const pid_t child = fork();
+    if (child == 0) {
+      PvdSeries series(folder.path, "s");
+      for (int n = 0;; ++n) series.write(mesh, sample_state(mesh, n));
+    }
+    ::usleep(static_cast<useconds_t>(microseconds));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    PvdSeries series = PvdSeries::resume(folder.path, "s", 1e9);
+    for (const auto& entry : series.entries())
+      EXPECT_TRUE(content(folder.path / entry.file).ends_with("</VTKFile>\n")) << entry.file;
+    series.write(mesh, sample_state(mesh, 1e9));  // whatever part was left behind does not disturb
+    EXPECT_TRUE(contains(content(series.collection()), series.entries().back().file));
+  }
 }
 
 TEST(OutputSeries, NaNNeverReachesAFile) {
