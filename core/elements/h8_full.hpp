@@ -20,23 +20,22 @@ struct H8Full {
     R weight[8];         ///< volume of each point [m^3]
   };
 
-  /// dN_a / dxi_j at point p, a number known to the compiler when a, j, p are.
-  GLISSON_HD static constexpr double derivative(int p, int a, int j) {
-    constexpr double g = 0.57735026918962576451;
-    double d = 0.125 * corner_sign(a, j);
-    for (int k = 0; k < 3; ++k)
-      if (k != j) d *= 1 + corner_sign(a, k) * corner_sign(p, k) * g;
-    return d;
-  }
-
+  /// The seven modes of a nodal field that have derivatives.
   template <class R>
-  GLISSON_HD static Mat3<R> gradient(const Constants<R>& c, const Vec3<R> (&u)[8], int p) {
-    Vec3<R> local[3];  // du / dxi_j
-    for (int j = 0; j < 3; ++j) {
-      Vec3<R> sum{R(0), R(0), R(0)};
-      for (int a = 0; a < 8; ++a) sum = sum + R(derivative(p, a, j)) * u[a];
-      local[j] = sum;
-    }
+  struct Modes {
+    Vec3<R> d[3], h[4];
+  };
+
+  /// Coordinate of point p along an axis of the reference cube.
+  GLISSON_HD static constexpr double coordinate(int p, int axis) { return corner_sign(p, axis) * 0.57735026918962576451; }
+
+  /// du / dX at point p. In modes, 8 du/dxi = d_0 + eta h_2 + zeta h_1 + eta zeta h_3, and so on.
+  template <class R>
+  GLISSON_HD static Mat3<R> gradient(const Constants<R>& c, const Modes<R>& u, int p) {
+    const R x = R(coordinate(p, 0)), y = R(coordinate(p, 1)), z = R(coordinate(p, 2)), eighth = R(0.125);
+    const Vec3<R> local[3] = {eighth * (u.d[0] + y * u.h[2] + z * (u.h[1] + y * u.h[3])),
+                              eighth * (u.d[1] + x * u.h[2] + z * (u.h[0] + x * u.h[3])),
+                              eighth * (u.d[2] + x * u.h[1] + y * (u.h[0] + x * u.h[3]))};
     Mat3<R> H;
     for (int i = 0; i < 3; ++i) {
       const R *w0 = c.inverse[p][0], *w1 = c.inverse[p][1], *w2 = c.inverse[p][2];
@@ -47,24 +46,27 @@ struct H8Full {
     return H;
   }
 
-  /// f_a += w P dN_a
+  /// Adds w P dN in modes: the transpose of gradient().
   template <class R>
-  GLISSON_HD static void add_forces(const Constants<R>& c, const Mat3<R>& P, int p, Vec3<R> (&f)[8]) {
+  GLISSON_HD static void add_forces(const Constants<R>& c, const Mat3<R>& P, int p, Modes<R>& f) {
+    const R x = R(coordinate(p, 0)), y = R(coordinate(p, 1)), z = R(coordinate(p, 2)), w = R(0.125) * c.weight[p];
     Vec3<R> local[3];
     for (int j = 0; j < 3; ++j) {
       auto row = [&](int i) {
-        return c.weight[p] *
-               (P.m[i][0] * c.inverse[p][j][0] + P.m[i][1] * c.inverse[p][j][1] + P.m[i][2] * c.inverse[p][j][2]);
+        return w * (P.m[i][0] * c.inverse[p][j][0] + P.m[i][1] * c.inverse[p][j][1] + P.m[i][2] * c.inverse[p][j][2]);
       };
       local[j] = {row(0), row(1), row(2)};
+      f.d[j] = f.d[j] + local[j];
     }
-    for (int a = 0; a < 8; ++a)
-      for (int j = 0; j < 3; ++j) f[a] = f[a] + R(derivative(p, a, j)) * local[j];
+    f.h[0] = f.h[0] + z * local[1] + y * local[2];
+    f.h[1] = f.h[1] + z * local[0] + x * local[2];
+    f.h[2] = f.h[2] + y * local[0] + x * local[1];
+    f.h[3] = f.h[3] + y * z * local[0] + x * z * local[1] + x * y * local[2];
   }
 
   /// J_p - 1 at all points and their mean over the element.
   template <class R>
-  GLISSON_HD static R dilatations(const Constants<R>& c, const Vec3<R> (&u)[8], R (&J_minus_1)[8], R& volume) {
+  GLISSON_HD static R dilatations(const Constants<R>& c, const Modes<R>& u, R (&J_minus_1)[8], R& volume) {
     R sum = R(0);
     volume = R(0);
     for (int p = 0; p < 8; ++p) {
@@ -93,14 +95,22 @@ struct H8Full {
     return A;
   }
 
+  template <class R>
+  GLISSON_HD static void clear(Modes<R>& f) {
+    for (auto& a : f.d) a = {R(0), R(0), R(0)};
+    for (auto& a : f.h) a = {R(0), R(0), R(0)};
+  }
+
   template <class R, class Stress>
   GLISSON_HD static void forces(const Constants<R>& c, const Vec3<R> (&u)[8], const Stress& stress, Vec3<R> (&f)[8]) {
     R J_minus_1[8], volume, theta = R(0);
-    const R mean = dilatations(c, u, J_minus_1, volume);
-    Vec3<R> g[8];  // what theta multiplies: sum_p w cof F dN
-    for (int a = 0; a < 8; ++a) f[a] = g[a] = {R(0), R(0), R(0)};
+    Modes<R> modes, own_part, g;  // g: what theta multiplies, sum_p w cof F dN
+    hexahedron_modes(u, modes.d, modes.h);
+    clear(own_part);
+    clear(g);
+    const R mean = dilatations(c, modes, J_minus_1, volume);
     for (int p = 0; p < 8; ++p) {
-      const Mat3<R> H = gradient(c, u, p);
+      const Mat3<R> H = gradient(c, modes, p);
       const R t = stretch_minus_1(mean, J_minus_1[p]), s = t + R(1);
       const Mat3<R> P = stress(averaged(H, t), p);
       R P_F = trace(P);
@@ -114,19 +124,23 @@ struct H8Full {
       for (int i = 0; i < 3; ++i) D.m[i][i] = D.m[i][i] + R(1);  // cof F
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) own.m[i][j] = s * P.m[i][j] - pressure * D.m[i][j];
-      add_forces(c, own, p, f);
+      add_forces(c, own, p, own_part);
       add_forces(c, D, p, g);
     }
     theta = theta / ((mean + R(1)) * volume);
-    for (int a = 0; a < 8; ++a) f[a] = R(-1) * (f[a] + theta * g[a]);
+    for (int i = 0; i < 3; ++i) own_part.d[i] = R(-1) * (own_part.d[i] + theta * g.d[i]);
+    for (int m = 0; m < 4; ++m) own_part.h[m] = R(-1) * (own_part.h[m] + theta * g.h[m]);
+    hexahedron_nodes(own_part.d, own_part.h, f);
   }
 
   template <class R, class Visit>
   GLISSON_HD static void points(const Constants<R>& c, const Vec3<R> (&u)[8], const Visit& visit) {
     R J_minus_1[8], volume;
-    const R mean = dilatations(c, u, J_minus_1, volume);
+    Modes<R> modes;
+    hexahedron_modes(u, modes.d, modes.h);
+    const R mean = dilatations(c, modes, J_minus_1, volume);
     for (int p = 0; p < 8; ++p)
-      visit(averaged(gradient(c, u, p), stretch_minus_1(mean, J_minus_1[p])), c.weight[p], p);
+      visit(averaged(gradient(c, modes, p), stretch_minus_1(mean, J_minus_1[p])), c.weight[p], p);
   }
   template <class R>
   GLISSON_HD static R hourglass_energy(const Constants<R>&, const Vec3<R> (&)[8]) {
@@ -141,9 +155,12 @@ struct H8Full {
       Mat3<double> J{};
       for (int a = 0; a < 8; ++a)
         for (int j = 0; j < 3; ++j) {
-          J.m[0][j] += X[a].x * derivative(p, a, j);
-          J.m[1][j] += X[a].y * derivative(p, a, j);
-          J.m[2][j] += X[a].z * derivative(p, a, j);
+          double dN = 0.125 * corner_sign(a, j);
+          for (int k = 0; k < 3; ++k)
+            if (k != j) dN *= 1 + corner_sign(a, k) * point[k];
+          J.m[0][j] += X[a].x * dN;
+          J.m[1][j] += X[a].y * dN;
+          J.m[2][j] += X[a].z * dN;
         }
       const Mat3<double> cof = cofactor(J);
       const double det = determinant(J);

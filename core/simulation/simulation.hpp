@@ -19,6 +19,7 @@
 #include <glisson/core/simulation/step_plan.hpp>
 #include <glisson/core/simulation/user_forces.hpp>
 #include <glisson/core/solids/element_fields.hpp>
+#include <glisson/core/solids/section_laws.hpp>
 #include <glisson/core/steppers/steppers.hpp>
 
 namespace glisson {
@@ -61,6 +62,7 @@ class Simulation final : public AnySimulation {
   double stable_step_now(int iterations);
   void review();
   void recheck_stable_step();
+  std::int64_t recheck_interval() const;
   void account(double t);
   [[noreturn]] void fail(const Energies* unbalanced, double share);
   // simulation_state.ipp

@@ -16,6 +16,19 @@ inline bool has_prony(const Model& model) {
   });
 }
 
+/// Largest ratio of wave to shear speed among the materials [-].
+inline double slowness(const Model& model) {
+  double largest = 1;
+  std::vector<double> parameters;
+  for (const Section& section : model.sections) {
+    if (section.elements.empty()) continue;
+    element_parameters(section, 0, parameters);
+    const RestModuli moduli = rest_moduli(section.material.law, parameters);
+    if (moduli.shear > 0) largest = std::max(largest, std::sqrt(moduli.wave / moduli.shear));
+  }
+  return largest;
+}
+
 template <Backend B, class R>
 Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
     : model_(model), parts_(std::move(parts)), backend_(*parts_.backend), nodes_(backend_, parts_.mass),
@@ -23,8 +36,9 @@ Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
       stepper_(model.time.stepper.value_or(default_stepper(model))), prony_(has_prony(model)) {
   if (!parts_.bodies.empty()) u_predicted_ = nodes_.zeros();
   if (model.time.quasi_static) {
-    // long enough for the slowest wave to cross the mesh several times at one element per step
-    const auto ramp = static_cast<std::int64_t>(50 + 10 * std::cbrt(double(nodes_.count())));
+    // shear waves cross the mesh a few times while the loads grow: one element takes them wave / shear speed steps
+    const double ratio = std::min(slowness(model), 50.0);
+    const auto ramp = static_cast<std::int64_t>(50 + 6 * std::cbrt(double(nodes_.count())) * ratio);
     relaxation_.emplace(backend_, nodes_, *parts_.constraints, *model.time.quasi_static, ramp, parts_.mass);
   }
   choose_step();

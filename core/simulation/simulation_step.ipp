@@ -93,6 +93,7 @@ void Simulation<B, R>::advance(bool energies) {
 template <Backend B, class R>
 void Simulation<B, R>::one_step() {
   const bool due = step_ % monitor_every_ == 0 || step_ + 1 == plan_.last_step();
+  if (step_ >= next_recheck_) recheck_stable_step();
   if (due) review();
   StepView<R> view = make_view();
   add_forces(view);

@@ -1,5 +1,7 @@
 #include <glisson/core/solids/section_laws.hpp>
 
+#include <algorithm>
+
 #include <glisson/core/base/error.hpp>
 #include <glisson/core/materials/laws.hpp>
 
@@ -29,7 +31,9 @@ RestModuli rest_moduli(const std::string& law, const std::vector<double>& parame
 
 double hourglass_stiffness(const Section& section, const std::vector<double>& parameters) {
   const RestModuli moduli = rest_moduli(section.material.law, parameters);
-  return section.hourglass * (moduli.bulk + 4.0 / 3 * moduli.shear);
+  const double wave = moduli.bulk + 4.0 / 3 * moduli.shear;
+  const bool fixed = section.formulation == Formulation::h8_fixed;
+  return section.hourglass * (fixed ? wave : std::min(wave, 4 * moduli.shear));
 }
 
 }  // namespace glisson

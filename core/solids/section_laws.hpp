@@ -16,7 +16,8 @@ struct RestModuli {
 };
 RestModuli rest_moduli(const std::string& law, const std::vector<double>& parameters);
 
-/// lambda + 2 mu that scales hourglass stiffness: bulk + 4/3 shear [Pa].
+/// Coefficient times the modulus that scales hourglass stiffness [Pa]: lambda + 2 mu for h8_fixed (Joldes et al. 2008); for h8 at
+/// most 4 mu, its value at nu = 1/3, because modes without volume change lock when lambda grows with nu -> 1/2.
 double hourglass_stiffness(const Section& section, const std::vector<double>& parameters);
 
 }  // namespace glisson

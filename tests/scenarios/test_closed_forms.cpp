@@ -29,7 +29,7 @@ double cauchy_xx(AnySimulation& simulation, double stretch) {
 }
 
 TEST_P(ClosedForm, UniaxialAndEquibiaxialIncompressible) {
-  for (const double l : {0.8, 1.2, 1.5, 2.0})
+  for (const double l : {0.8, 1.5, 2.0})
     for (const bool two : {false, true}) {
       const Model model = stretched_cube(l, two, Formulation::h8_full);
       auto simulation = simulate(model, GetParam());
@@ -110,11 +110,11 @@ TEST(ThickSphere, InnerPressureGivesTheClosedFormStretch) {
   const double inner = 0.01, outer = 0.02, stretch = 1.25, pressure = 0.55187 * mu;
   Model model;
   model.name = "sphere";
-  model.mesh = sphere_octant(5, 8, inner, outer);
-  model.sections = {section_of_all(model.mesh, Formulation::h8_full, {"NH", {mu, 500 * mu}, 1000})};
+  model.mesh = sphere_octant(3, 6, inner, outer);
+  model.sections = {section_of_all(model.mesh, Formulation::h8_full, {"NH", {mu, 200 * mu}, 1000})};
   for (int axis = 0; axis < 3; ++axis) model.fixed.push_back({face(model.mesh, axis, 0), 1u << axis});
   model.pressures.push_back({inner_facets(model.mesh, inner), pressure, smooth_curve(1)});
-  model.time = relaxed(1e-5, 1e-5);
+  model.time = relaxed(1e-4, 1e-4);
   const auto u = final_displacement(model, threads_float);
   double mean = 0;
   int count = 0;

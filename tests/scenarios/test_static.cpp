@@ -74,14 +74,17 @@ double tip(const Model& model, const Case& c) {
   return mean;
 }
 
+double converged_tip(const std::string& name) {
+  const auto rows = reference(name);
+  double mean = 0;
+  for (const auto& row : rows) mean += row[6] / double(rows.size());
+  return mean;
+}
+
 TEST(StaticAccuracy, BetterElementsApproachTheConvergedSolution) {
-  double converged = 0;
-  const auto rows = reference("block_c3d20r_end_face.csv");
-  for (const auto& row : rows) converged += row[6] / double(rows.size());
-  const double full = tip(clamped_block({12, 4, 4}, Formulation::h8_full), threads_float);
-  const double one_point = tip(clamped_block({12, 4, 4}, Formulation::h8), threads_float);
-  EXPECT_NEAR(full / converged, 1, 0.03);
-  EXPECT_NEAR(one_point / converged, 1, 0.06);
+  const double converged = converged_tip("block_c3d20r_end_face.csv");
+  EXPECT_NEAR(tip(clamped_block({12, 4, 4}, Formulation::h8_full), threads_float) / converged, 1, 0.03);
+  EXPECT_NEAR(tip(clamped_block({12, 4, 4}, Formulation::h8), threads_float) / converged, 1, 0.06);
 }
 
 /// Cook's membrane at finite strain, plane strain: u_y at (48, 52) is 14.74 mm (deal.II code gallery, after Miehe 1994).
@@ -121,28 +124,29 @@ double cook_tip(int n, Formulation formulation, const Case& c) {
 TEST(StaticAccuracy, CooksMembraneConverges) {
   const double target = 14.74;
   double error_before = 1;
-  for (const int n : {4, 8, 16, 32}) {
+  for (const int n : {4, 8, 16}) {
     const double error = std::abs(cook_tip(n, Formulation::h8_full, threads_float) / target - 1);
-    EXPECT_LT(error, error_before);
+    EXPECT_LT(error, 0.45 * error_before) << n << " elements per edge";
     error_before = error;
   }
-  EXPECT_LT(error_before, 0.005);
+  EXPECT_LT(error_before, 0.01);
+  EXPECT_NEAR(cook_tip(32, Formulation::h8, threads_float) / target, 1, 0.006);
 }
 
-/// Nearly incompressible block in bending: linear tetrahedra lock, the others less.
+/// Nearly incompressible block in bending (nu = 0.495): linear tetrahedra lock, the others less.
 TEST(StaticAccuracy, AveragedPressureAndHexahedraLockLessThanTetrahedra) {
-  auto bent = [](Formulation formulation, std::array<int, 3> cells) {
-    Model model = clamped_block(cells, formulation);
-    model.sections[0].material.parameters = mu_kappa(3000, 0.499);
-    return tip(model, threads_float);
+  const double converged = converged_tip("block_c3d20r_incompressible_end_face.csv");
+  auto error = [&](Formulation formulation) {
+    Model model = clamped_block({9, 3, 3}, formulation);
+    model.sections[0].material.parameters = {1000, 100000};
+    model.time = relaxed(1e-4, 1e-4);
+    return std::abs(tip(model, threads_float) / converged - 1);
   };
-  const double reference_tip = bent(Formulation::h8_full, {18, 6, 6});
-  auto error = [&](Formulation formulation) { return std::abs(bent(formulation, {9, 3, 3}) / reference_tip - 1); };
-  const double t4 = error(Formulation::t4), anp = error(Formulation::t4anp), h8 = error(Formulation::h8),
-               full = error(Formulation::h8_full);
-  EXPECT_LT(anp, 0.5 * t4);
-  EXPECT_LT(h8, 0.3 * t4);
-  EXPECT_LT(full, 0.3 * t4);
+  const double t4 = error(Formulation::t4);
+  EXPECT_LT(error(Formulation::t4anp), 0.6 * t4);
+  EXPECT_LT(error(Formulation::h8), 0.3 * t4);
+  EXPECT_LT(error(Formulation::h8_full), 0.3 * t4);
+  RecordProperty("t4_error", std::to_string(t4));
 }
 
 }  // namespace

@@ -7,12 +7,14 @@ C3D20R on a finer mesh is the converged solution that the better elements must a
 
   make_case.py tet 6 2 2  > block_c3d4.inp      ccx block_c3d4
   make_case.py hex20 12 4 4 > block_c3d20r.inp  ccx block_c3d20r
+  make_case.py hex20 12 4 4 100000 > block_c3d20r_incompressible.inp  ccx block_c3d20r_incompressible
 The displacements at the end of the .dat file are kept beside it as NAME.displacements.csv (node, X, u).
 """
 import itertools
 import sys
 
-LENGTH, WIDTH, MU, KAPPA, FORCE = (0.06, 0.02, 0.02), 0.02, 1000.0, 5000.0, 0.03  # m, Pa, N
+LENGTH, MU, FORCE = (0.06, 0.02, 0.02), 1000.0, 0.03  # m, Pa, N
+KAPPA = float(sys.argv[5]) if len(sys.argv) > 5 else 5000.0  # Pa
 
 
 def grid(cells):
