@@ -67,7 +67,8 @@ constexpr CellRow rows[] = {
 };
 
 const CellRow* row_of(int code) {
-  const auto row = std::find_if(std::begin(rows), std::end(rows), [code](const CellRow& r) { return r.code == code; });
+  const auto row =
+      std::find_if(std::begin(rows), std::end(rows), [code](const CellRow& r) { return r.code == code; });
   return row == std::end(rows) ? nullptr : row;
 }
 
@@ -90,9 +91,10 @@ int nodes_of_cell(int code) {
 
 GmshType gmsh_type(std::int64_t type) {
   constexpr GmshType types[] = {
-      {0, 0},   {3, 2},   {5, 3},   {9, 4},   {10, 4},  {12, 8},  {13, 6},  {14, 5},  {21, 3},  {22, 6},  {28, 9},
-      {24, 10}, {29, 27}, {32, 18}, {37, 14}, {1, 1},   {23, 8},  {25, 20}, {26, 15}, {27, 13}, {69, 9},  {69, 10},
-      {69, 12}, {69, 15}, {69, 15}, {69, 21}, {35, 4},  {68, 5},  {68, 6},  {71, 20}, {71, 35}, {71, 56},
+      {0, 0},   {3, 2},   {5, 3},   {9, 4},   {10, 4},  {12, 8},  {13, 6},  {14, 5},
+      {21, 3},  {22, 6},  {28, 9},  {24, 10}, {29, 27}, {32, 18}, {37, 14}, {1, 1},
+      {23, 8},  {25, 20}, {26, 15}, {27, 13}, {69, 9},  {69, 10}, {69, 12}, {69, 15},
+      {69, 15}, {69, 21}, {35, 4},  {68, 5},  {68, 6},  {71, 20}, {71, 35}, {71, 56},
   };
   if (type >= 1 && type < std::ssize(types)) return types[type];
   if (type == 92) return {72, 64};

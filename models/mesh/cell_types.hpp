@@ -1,4 +1,5 @@
-// The cells that mesh files hold, by their codes in VTK and Gmsh, and which of them become elements or facets.
+// The cells that mesh files hold, by their codes in VTK and Gmsh, and which of them become elements or
+// facets.
 #pragma once
 
 #include <cstdint>

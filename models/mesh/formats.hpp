@@ -1,4 +1,5 @@
-// The readers of the formats, one per file; each turns the bytes of a whole file into a RawMesh or throws Error(input).
+// The readers of the formats, one per file; each turns the bytes of a whole file into a RawMesh or throws
+// Error(input).
 #pragma once
 
 #include <string>

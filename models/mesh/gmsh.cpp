@@ -1,5 +1,6 @@
-// Gmsh MSH files: header, sections, and what versions 2 and 4.1 share. Sections that are not needed are passed over.
-// Layout: Gmsh reference manual, "MSH file format" and "Legacy formats, MSH file format version 2".
+// Gmsh MSH files: header, sections, and what versions 2 and 4.1 share. Sections that are not needed are
+// passed over. Layout: Gmsh reference manual, "MSH file format" and "Legacy formats, MSH file format version
+// 2".
 #include <glisson/models/mesh/gmsh.hpp>
 
 #include <limits>
@@ -56,7 +57,8 @@ void GmshReader::add_node_tag(std::int64_t tag, int index) {
 
 int GmshReader::label_of(std::int64_t value) const {
   constexpr std::int64_t most = std::numeric_limits<int>::max();
-  if (value < -most || value > most) scanner.fail("the tag " + std::to_string(value) + " is beyond the range of int");
+  if (value < -most || value > most)
+    scanner.fail("the tag " + std::to_string(value) + " is beyond the range of int");
   return static_cast<int>(value);
 }
 
@@ -90,7 +92,8 @@ void read_format(GmshReader& reader) {
     scanner.fail("version " + quoted(version) +
                  " of the format is not supported. Save the mesh as version 4.1 or 2.2 (gmsh -format msh41)");
   const auto type = scanner.integer("the file type");
-  if (type != 0 && type != 1) scanner.fail("the file type " + std::to_string(type) + " is neither 0 (text) nor 1 (binary)");
+  if (type != 0 && type != 1)
+    scanner.fail("the file type " + std::to_string(type) + " is neither 0 (text) nor 1 (binary)");
   const auto size = scanner.integer("the data size");
   if (size != 8 && !(size == 4 && reader.is_version_4))
     scanner.fail("numbers of " + std::to_string(size) + " bytes are not supported; 8 is usual");
@@ -107,7 +110,8 @@ void read_format(GmshReader& reader) {
 
 void pass_over(Scanner& scanner, const std::string& name) {
   const auto end = scanner.rest().find("$End" + name);
-  if (end == std::string_view::npos) scanner.fail("the section has no end ($End" + name + "); the file is truncated");
+  if (end == std::string_view::npos)
+    scanner.fail("the section has no end ($End" + name + "); the file is truncated");
   scanner.skip(end);
 }
 

@@ -42,8 +42,8 @@ struct GmshReader {
   std::vector<GmshData> data;
   std::map<std::pair<std::int64_t, std::int64_t>, int> physical;  ///< label by dimension and tag of an entity
 
-  std::int64_t integer(const char* what);       ///< int32 when binary
-  std::int64_t size(const char* what);          ///< size_t when binary
+  std::int64_t integer(const char* what);  ///< int32 when binary
+  std::int64_t size(const char* what);     ///< size_t when binary
   std::int64_t count(const char* what, std::size_t least_text, std::size_t least_bytes);  ///< a size, checked
   double real(const char* what);
   void read_position();

@@ -37,16 +37,18 @@ void read_elements_2(GmshReader& reader) {
   std::int64_t done = 0;
   while (done < count) {
     if (!scanner.binary) {
-      const auto tag = scanner.integer("the number of an element"), type = scanner.integer("the type of an element");
+      const auto tag = scanner.integer("the number of an element"),
+                 type = scanner.integer("the type of an element");
       reader.add_element(tag, type, label_from_tags(reader, read_tag_count(reader)));
       ++done;
       continue;
     }
     const auto type = reader.integer("the type of elements");
-    const auto block = scanner.checked_count(reader.integer("the number of elements"), "number of elements in a block", 4);
+    const auto block =
+        scanner.checked_count(reader.integer("the number of elements"), "number of elements in a block", 4);
     if (block == 0 || block > count - done)
-      scanner.fail("a block of " + std::to_string(block) + " elements, where " + std::to_string(count - done) +
-                   " are still to come");
+      scanner.fail("a block of " + std::to_string(block) + " elements, where " +
+                   std::to_string(count - done) + " are still to come");
     const auto tag_count = read_tag_count(reader);
     for (std::int64_t i = 0; i < block; ++i) {
       const auto tag = reader.integer("the number of an element");

@@ -22,8 +22,8 @@ Totals read_totals(GmshReader& reader, const char* what) {
 
 void check_total(const GmshReader& reader, const char* what, std::int64_t found, std::int64_t announced) {
   if (found != announced)
-    reader.scanner.fail("the blocks hold " + std::to_string(found) + " " + what + ", but " + std::to_string(announced) +
-                        " are announced");
+    reader.scanner.fail("the blocks hold " + std::to_string(found) + " " + what + ", but " +
+                        std::to_string(announced) + " are announced");
 }
 
 void read_node_block(GmshReader& reader) {
@@ -32,10 +32,11 @@ void read_node_block(GmshReader& reader) {
   const auto parametric = reader.integer("0 or 1");
   const auto count = reader.count("number of nodes in a block", 8, 24);
   if (dimension < 0 || dimension > 3 || parametric < 0 || parametric > 1)
-    reader.scanner.fail("a block of nodes of dimension " + std::to_string(dimension) + " with the parametric flag " +
-                        std::to_string(parametric) + " is not possible");
+    reader.scanner.fail("a block of nodes of dimension " + std::to_string(dimension) +
+                        " with the parametric flag " + std::to_string(parametric) + " is not possible");
   const auto first = static_cast<int>(reader.raw.X.size());
-  for (std::int64_t i = 0; i < count; ++i) reader.add_node_tag(reader.size("the tag of a node"), first + static_cast<int>(i));
+  for (std::int64_t i = 0; i < count; ++i)
+    reader.add_node_tag(reader.size("the tag of a node"), first + static_cast<int>(i));
   for (std::int64_t i = 0; i < count; ++i) {
     reader.read_position();
     for (std::int64_t p = 0; p < parametric * dimension; ++p) reader.real("a parametric coordinate");
@@ -44,7 +45,8 @@ void read_node_block(GmshReader& reader) {
 
 }  // namespace
 
-/// Of each entity only its physical tag is kept. A negative one means the other orientation of the same group.
+/// Of each entity only its physical tag is kept. A negative one means the other orientation of the same
+/// group.
 void read_entities_4(GmshReader& reader) {
   std::array<std::int64_t, 4> counts;
   for (auto& count : counts) count = reader.count("number of entities", 10, 36);
@@ -77,10 +79,12 @@ void read_elements_4(GmshReader& reader) {
     const auto dimension = reader.integer("a dimension");
     const auto entity = reader.integer("the tag of an entity");
     const auto type = reader.integer("the type of elements");
-    const auto count = reader.count("number of elements in a block", 4, static_cast<std::size_t>(2 * reader.size_bytes));
+    const auto count =
+        reader.count("number of elements in a block", 4, static_cast<std::size_t>(2 * reader.size_bytes));
     const auto group = reader.physical.find({dimension, entity});
     const auto label = group == reader.physical.end() ? entity : group->second;
-    for (std::int64_t i = 0; i < count; ++i) reader.add_element(reader.size("the tag of an element"), type, label);
+    for (std::int64_t i = 0; i < count; ++i)
+      reader.add_element(reader.size("the tag of an element"), type, label);
   }
   check_total(reader, "elements", static_cast<std::int64_t>(reader.raw.cell_count()) - before, totals.items);
 }

@@ -30,7 +30,8 @@ NamedArray dense(const GmshReader& reader, const GmshData& data, std::size_t cou
     const int index = tags.find(data.tags[r]);
     if (index < 0)
       reader.scanner.fail("array " + quoted(data.name) + " has a value for the " +
-                          (data.of_nodes ? "node " : "element ") + std::to_string(data.tags[r]) + ", which is not in the file");
+                          (data.of_nodes ? "node " : "element ") + std::to_string(data.tags[r]) +
+                          ", which is not in the file");
     for (std::size_t c = 0; c < components; ++c)
       array.values[static_cast<std::size_t>(index) * components + c] = data.rows.values[r * components + c];
   }
@@ -47,7 +48,9 @@ void read_data(GmshReader& reader, bool of_nodes) {
   const auto reals = scanner.count("number of real tags", 2);
   for (std::int64_t i = 0; i < reals; ++i) scanner.number("a real tag");
   const auto integers = scanner.count("number of integer tags", 2);
-  if (integers < 3) scanner.fail("there are " + std::to_string(integers) + " integer tags; time step, components and rows are needed");
+  if (integers < 3)
+    scanner.fail("there are " + std::to_string(integers) +
+                 " integer tags; time step, components and rows are needed");
   scanner.integer("the time step");
   const auto components = scanner.integer("the number of components");
   if (components < 1 || components > 9)
@@ -67,14 +70,15 @@ void read_data(GmshReader& reader, bool of_nodes) {
 void add_data(GmshReader& reader) {
   for (auto& data : reader.data) {
     const auto count = data.of_nodes ? reader.raw.X.size() : reader.raw.cell_count();
-    // An array with values for few of the cells cannot cover the solids; it is not spread out, since many such arrays
-    // in a small file could take any amount of memory.
+    // An array with values for few of the cells cannot cover the solids; it is not spread out, since many
+    // such arrays in a small file could take any amount of memory.
     if (16 * data.tags.size() < count)
-      reader.raw.warnings.push_back("array " + quoted(data.name) + " has values for " + std::to_string(data.tags.size()) +
-                                    " of " + std::to_string(count) + (data.of_nodes ? " nodes" : " elements") +
-                                    " only and was left out");
+      reader.raw.warnings.push_back("array " + quoted(data.name) + " has values for " +
+                                    std::to_string(data.tags.size()) + " of " + std::to_string(count) +
+                                    (data.of_nodes ? " nodes" : " elements") + " only and was left out");
     else
-      (data.of_nodes ? reader.raw.point_arrays : reader.raw.cell_arrays)[data.name] = dense(reader, data, count);
+      (data.of_nodes ? reader.raw.point_arrays : reader.raw.cell_arrays)[data.name] =
+          dense(reader, data, count);
     data = {};
   }
 }

@@ -7,8 +7,8 @@
 
 namespace glisson::detail {
 
-/// renumber: old -> new number; -1 removes the node. New numbers grow with the first old number that has them, and of
-/// several old nodes with one new number the first gives position and array rows.  [node_count]
+/// renumber: old -> new number; -1 removes the node. New numbers grow with the first old number that has
+/// them, and of several old nodes with one new number the first gives position and array rows.  [node_count]
 inline void keep_nodes(Mesh& mesh, const std::vector<int>& renumber) {
   std::vector<std::size_t> kept;
   for (std::size_t n = 0; n < renumber.size(); ++n)

@@ -1,15 +1,26 @@
 // The number types that binary mesh files hold, and how to get them out of bytes of either byte order.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <algorithm>
 #include <string_view>
 
 namespace glisson::detail {
 
-enum class NumberType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+enum class NumberType : std::uint8_t {
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  float32,
+  float64
+};
 
 constexpr std::size_t size_of(NumberType type) {
   constexpr std::uint8_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
@@ -33,16 +44,26 @@ T load(const char* data, bool swap) {
 template <class F>
 auto with_type(NumberType type, F f) {
   switch (type) {
-    case NumberType::int8: return f(std::int8_t{});
-    case NumberType::uint8: return f(std::uint8_t{});
-    case NumberType::int16: return f(std::int16_t{});
-    case NumberType::uint16: return f(std::uint16_t{});
-    case NumberType::int32: return f(std::int32_t{});
-    case NumberType::uint32: return f(std::uint32_t{});
-    case NumberType::int64: return f(std::int64_t{});
-    case NumberType::uint64: return f(std::uint64_t{});
-    case NumberType::float32: return f(float{});
-    default: return f(double{});
+    case NumberType::int8:
+      return f(std::int8_t{});
+    case NumberType::uint8:
+      return f(std::uint8_t{});
+    case NumberType::int16:
+      return f(std::int16_t{});
+    case NumberType::uint16:
+      return f(std::uint16_t{});
+    case NumberType::int32:
+      return f(std::int32_t{});
+    case NumberType::uint32:
+      return f(std::uint32_t{});
+    case NumberType::int64:
+      return f(std::int64_t{});
+    case NumberType::uint64:
+      return f(std::uint64_t{});
+    case NumberType::float32:
+      return f(float{});
+    default:
+      return f(double{});
   }
 }
 
@@ -50,7 +71,8 @@ inline double load_number(const char* data, NumberType type, bool swap) {
   return with_type(type, [&](auto kind) { return static_cast<double>(load<decltype(kind)>(data, swap)); });
 }
 
-/// Of an integer type; an unsigned number above the range of int64 comes out negative, so range checks refuse it.
+/// Of an integer type; an unsigned number above the range of int64 comes out negative, so range checks refuse
+/// it.
 inline std::int64_t load_integer(const char* data, NumberType type, bool swap) {
   return with_type(type, [&](auto kind) -> std::int64_t {
     if constexpr (std::is_integral_v<decltype(kind)>)

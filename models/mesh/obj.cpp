@@ -9,9 +9,9 @@ namespace glisson::detail {
 namespace {
 
 bool passed_over(std::string_view word) {
-  constexpr std::string_view words[] = {"vn", "vt", "vp",     "o",      "g",    "s",        "mg",       "usemtl", "mtllib",
-                                        "l",  "p",  "usemap", "maplib", "lod",  "bevel",    "c_interp", "d_interp",
-                                        "shadow_obj", "trace_obj"};
+  constexpr std::string_view words[] = {
+      "vn", "vt",     "vp",     "o",   "g",     "s",        "mg",       "usemtl",     "mtllib",   "l",
+      "p",  "usemap", "maplib", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
   return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
@@ -42,7 +42,8 @@ RawMesh parse_obj(std::string_view text, const std::string& file) {
         if (token->starts_with('#')) break;
         nodes.push_back(vertex_of(scanner, *token, raw.X.size()));
       }
-      if (nodes.size() < 3) scanner.fail("a face needs at least 3 vertices, but has " + std::to_string(nodes.size()));
+      if (nodes.size() < 3)
+        scanner.fail("a face needs at least 3 vertices, but has " + std::to_string(nodes.size()));
       raw.add_cell(cell_polygon, nodes);
     } else if (!word.starts_with('#') && !passed_over(word)) {
       scanner.fail("the keyword " + quoted(word) + " is not known: this is no OBJ file of polygons");

@@ -17,7 +17,8 @@ std::string_view first_token(Scanner& scanner, const char* what) {
 void check_magic(Scanner& scanner) {
   const auto magic = first_token(scanner, "OFF");
   if (magic != "OFF" && magic != "COFF" && magic != "NOFF" && magic != "CNOFF" && magic != "STOFF")
-    scanner.fail(quoted(magic) + " stands where OFF, COFF, NOFF or STOFF should: this is no OFF file of that kind");
+    scanner.fail(quoted(magic) +
+                 " stands where OFF, COFF, NOFF or STOFF should: this is no OFF file of that kind");
 }
 
 }  // namespace
@@ -29,7 +30,8 @@ RawMesh parse_off(std::string_view text, const std::string& file) {
   const auto first = first_token(scanner, "the number of vertices");
   if (first == "BINARY") scanner.fail("binary OFF is not supported. Save it as text");
   RawMesh raw;
-  const auto vertices = scanner.checked_count(scanner.integer_of(first, "the number of vertices"), "number of vertices", 6);
+  const auto vertices =
+      scanner.checked_count(scanner.integer_of(first, "the number of vertices"), "number of vertices", 6);
   const auto facets = scanner.count("number of facets", 2);
   scanner.line();  // the number of edges may stand here; nobody needs it
   for (std::int64_t n = 0; n < vertices; ++n) {
@@ -43,7 +45,8 @@ RawMesh parse_off(std::string_view text, const std::string& file) {
   for (std::int64_t f = 0; f < facets; ++f) {
     scanner.section = "facet " + std::to_string(f);
     const auto count = scanner.checked_count(
-        scanner.integer_of(first_token(scanner, "the number of vertices"), "the number of vertices"), "number of vertices", 2);
+        scanner.integer_of(first_token(scanner, "the number of vertices"), "the number of vertices"),
+        "number of vertices", 2);
     nodes.clear();
     for (std::int64_t i = 0; i < count; ++i)
       nodes.push_back(scanner.checked_index(scanner.integer("a vertex"), vertices, "vertex"));

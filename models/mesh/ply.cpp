@@ -1,5 +1,5 @@
-// Polygon file format, PLY (Stanford): text and binary in both byte orders; vertices and faces are taken, other elements
-// and properties passed over.
+// Polygon file format, PLY (Stanford): text and binary in both byte orders; vertices and faces are taken,
+// other elements and properties passed over.
 #include <glisson/models/mesh/formats.hpp>
 #include <glisson/models/mesh/scanner.hpp>
 
@@ -26,11 +26,11 @@ struct Header {
 
 NumberType number_type(Scanner& scanner) {
   constexpr std::pair<std::string_view, NumberType> names[] = {
-      {"char", NumberType::int8},     {"int8", NumberType::int8},      {"uchar", NumberType::uint8},
-      {"uint8", NumberType::uint8},   {"short", NumberType::int16},    {"int16", NumberType::int16},
-      {"ushort", NumberType::uint16}, {"uint16", NumberType::uint16},  {"int", NumberType::int32},
-      {"int32", NumberType::int32},   {"uint", NumberType::uint32},    {"uint32", NumberType::uint32},
-      {"int64", NumberType::int64},   {"uint64", NumberType::uint64},  {"float", NumberType::float32},
+      {"char", NumberType::int8},       {"int8", NumberType::int8},      {"uchar", NumberType::uint8},
+      {"uint8", NumberType::uint8},     {"short", NumberType::int16},    {"int16", NumberType::int16},
+      {"ushort", NumberType::uint16},   {"uint16", NumberType::uint16},  {"int", NumberType::int32},
+      {"int32", NumberType::int32},     {"uint", NumberType::uint32},    {"uint32", NumberType::uint32},
+      {"int64", NumberType::int64},     {"uint64", NumberType::uint64},  {"float", NumberType::float32},
       {"float32", NumberType::float32}, {"double", NumberType::float64}, {"float64", NumberType::float64}};
   const auto word = scanner.token("a number type");
   for (const auto& [name, type] : names)
@@ -113,7 +113,10 @@ void pass_over(Scanner& scanner, const Property& property) {
 void read_vertex(Scanner& scanner, const PlyElement& element, RawMesh& raw) {
   Vec3<double> x;
   for (const auto& property : element.properties) {
-    double* target = property.name == "x" ? &x.x : property.name == "y" ? &x.y : property.name == "z" ? &x.z : nullptr;
+    double* target = property.name == "x"   ? &x.x
+                     : property.name == "y" ? &x.y
+                     : property.name == "z" ? &x.z
+                                            : nullptr;
     if (target == nullptr || property.is_list)
       pass_over(scanner, property);
     else
@@ -128,7 +131,8 @@ void read_face(Scanner& scanner, const PlyElement& element, RawMesh& raw) {
       pass_over(scanner, property);
       continue;
     }
-    if (!property.is_list || !is_integer(property.type)) scanner.fail("the vertices of a face must be a list of whole numbers");
+    if (!property.is_list || !is_integer(property.type))
+      scanner.fail("the vertices of a face must be a list of whole numbers");
     std::vector<int> nodes(static_cast<std::size_t>(list_length(scanner, property)));
     for (int& n : nodes)
       n = scanner.checked_index(read_integer(scanner, property.type), std::ssize(raw.X), "vertex");
@@ -159,10 +163,12 @@ RawMesh parse_ply(std::string_view text, const std::string& file) {
   for (const auto& element : header.elements) {
     const std::string name(element.name.substr(0, 40));
     scanner.section = "element " + name;
-    scanner.checked_count(element.count, "number of elements", std::max<std::size_t>(1, least_bytes(element, header.binary)));
+    scanner.checked_count(element.count, "number of elements",
+                          std::max<std::size_t>(1, least_bytes(element, header.binary)));
     if (element.properties.empty()) continue;
     const bool vertex = element.name == "vertex", face = element.name == "face";
-    if (element.name == "tristrips") scanner.fail("triangle strips are not supported. Save the file with faces");
+    if (element.name == "tristrips")
+      scanner.fail("triangle strips are not supported. Save the file with faces");
     if (vertex && !(has_property(element, "x") && has_property(element, "y") && has_property(element, "z")))
       scanner.fail("the vertices have no properties x, y and z");
     for (std::int64_t i = 0; i < element.count; ++i) {

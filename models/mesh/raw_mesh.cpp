@@ -18,12 +18,14 @@ namespace {
 void check_nodes(const RawMesh& raw, std::size_t c, const std::string& file) {
   for (const int n : raw.cell(c))
     if (n < 0 || static_cast<std::size_t>(n) >= raw.X.size())
-      fail_at(file, c, "node " + std::to_string(n) + " does not exist; there are " + std::to_string(raw.X.size()) +
-                           ", numbered from 0");
+      fail_at(file, c,
+              "node " + std::to_string(n) + " does not exist; there are " + std::to_string(raw.X.size()) +
+                  ", numbered from 0");
   const int wanted = nodes_of_cell(raw.code[c]);
   if (wanted != 0 && raw.cell(c).size() != static_cast<std::size_t>(wanted))
-    fail_at(file, c, "a " + name_of_cell(raw.code[c]) + " has " + std::to_string(wanted) + " nodes, but " +
-                         std::to_string(raw.cell(c).size()) + " are listed");
+    fail_at(file, c,
+            "a " + name_of_cell(raw.code[c]) + " has " + std::to_string(wanted) + " nodes, but " +
+                std::to_string(raw.cell(c).size()) + " are listed");
 }
 
 void add_solid(const RawMesh& raw, std::size_t c, Mesh& mesh) {
@@ -31,8 +33,8 @@ void add_solid(const RawMesh& raw, std::size_t c, Mesh& mesh) {
   if (raw.code[c] == cell_tetrahedron) return mesh.add_element(Shape::tetrahedron, nodes);
   if (raw.code[c] == cell_hexahedron) return mesh.add_element(Shape::hexahedron, nodes);
   // A voxel lists its nodes with x fastest, then y, then z.
-  mesh.add_element(Shape::hexahedron, std::array{nodes[0], nodes[1], nodes[3], nodes[2], nodes[4], nodes[5], nodes[7],
-                                                 nodes[6]});
+  mesh.add_element(Shape::hexahedron, std::array{nodes[0], nodes[1], nodes[3], nodes[2], nodes[4], nodes[5],
+                                                 nodes[7], nodes[6]});
 }
 
 NamedArray chosen_rows(const NamedArray& array, const std::vector<std::size_t>& chosen) {
@@ -44,10 +46,12 @@ NamedArray chosen_rows(const NamedArray& array, const std::vector<std::size_t>& 
   return result;
 }
 
-/// Material parameters must not come from holes, and results with a NaN are never written: such arrays are left out.
-void keep_array(const std::string& name, NamedArray array, const char* kind, std::map<std::string, NamedArray>& kept,
-                std::vector<std::string>& warnings) {
-  const auto hole = std::find_if_not(array.values.begin(), array.values.end(), [](double v) { return std::isfinite(v); });
+/// Material parameters must not come from holes, and results with a NaN are never written: such arrays are
+/// left out.
+void keep_array(const std::string& name, NamedArray array, const char* kind,
+                std::map<std::string, NamedArray>& kept, std::vector<std::string>& warnings) {
+  const auto hole =
+      std::find_if_not(array.values.begin(), array.values.end(), [](double v) { return std::isfinite(v); });
   if (hole == array.values.end()) {
     kept[name] = std::move(array);
     return;
@@ -66,10 +70,10 @@ bool is_label(const NamedArray& array) {
 
 /// Takes the first of the usual names whose values are whole numbers out of the arrays.
 void take_label(Mesh& mesh) {
-  constexpr const char* names[] = {"label",         "labels",         "region",          "regions",   "material",
-                                   "materials",     "material_id",    "material_ids",    "materialid", "materialids",
-                                   "physicalids",   "gmsh:physical",  "celldata:label",  "cellentityids", "medit:ref",
-                                   "elementblockids", "gmsh:geometrical"};
+  constexpr const char* names[] = {
+      "label",          "labels",        "region",     "regions",         "material",        "materials",
+      "material_id",    "material_ids",  "materialid", "materialids",     "physicalids",     "gmsh:physical",
+      "celldata:label", "cellentityids", "medit:ref",  "elementblockids", "gmsh:geometrical"};
   for (const auto wanted : names)
     for (auto array = mesh.cell_arrays.begin(); array != mesh.cell_arrays.end(); ++array) {
       if (!same_word(array->first, wanted) || !is_label(array->second)) continue;
@@ -91,7 +95,8 @@ void turn_tetrahedra(Mesh& mesh, std::vector<std::string>& warnings) {
     ++turned;
   }
   if (turned > 0)
-    warnings.push_back(std::to_string(turned) + " tetrahedra have their nodes in the inverted order and were turned");
+    warnings.push_back(std::to_string(turned) +
+                       " tetrahedra have their nodes in the inverted order and were turned");
 }
 
 /// "3 triangles, 1 line": what a file without solids has instead.
@@ -101,7 +106,8 @@ std::string inventory(const RawMesh& raw) {
   std::string text;
   for (std::size_t code = 0; code < counts.size(); ++code)
     if (counts[code] > 0)
-      text += (text.empty() ? "" : ", ") + std::to_string(counts[code]) + " x " + name_of_cell(static_cast<int>(code));
+      text += (text.empty() ? "" : ", ") + std::to_string(counts[code]) + " x " +
+              name_of_cell(static_cast<int>(code));
   return text.empty() ? "no cells at all" : text;
 }
 
@@ -110,8 +116,10 @@ std::vector<std::size_t> add_solids(const RawMesh& raw, const std::string& file,
   for (std::size_t c = 0; c < raw.cell_count(); ++c) {
     const auto use = use_of(raw.code[c]);
     if (use == CellUse::other_solid || use == CellUse::unknown)
-      fail_at(file, c, "a " + name_of_cell(raw.code[c]) +
-                           " is not supported. Convert the mesh to linear tetrahedra (4 nodes) or hexahedra (8 nodes)");
+      fail_at(
+          file, c,
+          "a " + name_of_cell(raw.code[c]) +
+              " is not supported. Convert the mesh to linear tetrahedra (4 nodes) or hexahedra (8 nodes)");
     if (use != CellUse::solid) continue;
     check_nodes(raw, c, file);
     if (mesh.nodes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) - 8)
@@ -140,7 +148,8 @@ bool add_facets(std::span<const int> nodes, int code, std::vector<Facet>& facets
     add(nodes[0], nodes[1], nodes[3], nodes[2]);
   else if (code == cell_strip)
     for (std::size_t i = 0; i + 2 < nodes.size(); ++i)
-      i % 2 == 0 ? add(nodes[i], nodes[i + 1], nodes[i + 2], -1) : add(nodes[i + 1], nodes[i], nodes[i + 2], -1);
+      i % 2 == 0 ? add(nodes[i], nodes[i + 1], nodes[i + 2], -1)
+                 : add(nodes[i + 1], nodes[i], nodes[i + 2], -1);
   else if (nodes.size() == 4)
     add(nodes[0], nodes[1], nodes[2], nodes[3]);
   else
@@ -173,7 +182,8 @@ SurfaceMesh surface_mesh(RawMesh& raw, const std::string& file) {
     const auto use = use_of(raw.code[c]);
     solids |= use == CellUse::solid;
     if (use == CellUse::curved_facet || use == CellUse::unknown)
-      fail_at(file, c, "a " + name_of_cell(raw.code[c]) + " is not supported. Convert the surface to triangles");
+      fail_at(file, c,
+              "a " + name_of_cell(raw.code[c]) + " is not supported. Convert the surface to triangles");
     if (use != CellUse::facet) continue;
     check_nodes(raw, c, file);
     if (raw.cell(c).size() < 3) fail_at(file, c, "a facet needs at least 3 nodes");

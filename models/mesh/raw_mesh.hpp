@@ -1,4 +1,5 @@
-// What a mesh file holds before elements or facets are chosen from it: the common result of all format readers.
+// What a mesh file holds before elements or facets are chosen from it: the common result of all format
+// readers.
 #pragma once
 
 #include <map>
@@ -11,18 +12,21 @@
 
 namespace glisson::detail {
 
-/// Cells of any kind in the order of the file. Node numbers are 0-based and may be out of range until a mesh is made.
+/// Cells of any kind in the order of the file. Node numbers are 0-based and may be out of range until a mesh
+/// is made.
 struct RawMesh {
-  std::vector<Vec3<double>> X;     ///< [-]  [point_count]
-  std::vector<std::uint8_t> code;  ///< CellCode [-]                          [cell_count]
+  std::vector<Vec3<double>> X;        ///< [-]  [point_count]
+  std::vector<std::uint8_t> code;     ///< CellCode [-]                          [cell_count]
   std::vector<std::size_t> begin{0};  ///< first entry in nodes [-]           [cell_count + 1]
-  std::vector<int> nodes;          ///< connectivity [-]                      [begin.back()]
-  std::vector<int> label;          ///< [-]  [cell_count] or empty
+  std::vector<int> nodes;             ///< connectivity [-]                      [begin.back()]
+  std::vector<int> label;             ///< [-]  [cell_count] or empty
   std::map<std::string, NamedArray> cell_arrays, point_arrays;  ///< a NaN stands where the file gave no value
   std::vector<std::string> warnings;
 
   std::size_t cell_count() const { return code.size(); }
-  std::span<const int> cell(std::size_t c) const { return {nodes.data() + begin[c], begin[c + 1] - begin[c]}; }
+  std::span<const int> cell(std::size_t c) const {
+    return {nodes.data() + begin[c], begin[c + 1] - begin[c]};
+  }
   void add_cell(int its_code, std::span<const int> its_nodes) {
     code.push_back(static_cast<std::uint8_t>(its_code));
     nodes.insert(nodes.end(), its_nodes.begin(), its_nodes.end());
@@ -30,12 +34,12 @@ struct RawMesh {
   }
 };
 
-/// Tetrahedra and hexahedra of the file, turned where needed. Error(input) when there is none, or a solid that is
-/// neither. `file` is named in errors; warnings are added to raw.warnings.
+/// Tetrahedra and hexahedra of the file, turned where needed. Error(input) when there is none, or a solid
+/// that is neither. `file` is named in errors; warnings are added to raw.warnings.
 Mesh solid_mesh(RawMesh& raw, const std::string& file);
 
-/// Triangles and quadrilaterals of the file; larger polygons are cut into fans. Without any, the outer surface of the
-/// solids. Nodes keep their numbers.
+/// Triangles and quadrilaterals of the file; larger polygons are cut into fans. Without any, the outer
+/// surface of the solids. Nodes keep their numbers.
 SurfaceMesh surface_mesh(RawMesh& raw, const std::string& file);
 
 }  // namespace glisson::detail

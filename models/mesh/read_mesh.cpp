@@ -81,13 +81,20 @@ void refuse_other_contents(std::string_view text, const std::string& file, MeshF
 detail::RawMesh parse(std::string_view text, const std::string& file, MeshFormat format) {
   refuse_other_contents(text, file, format);
   switch (format) {
-    case MeshFormat::gmsh: return detail::parse_gmsh(text, file);
-    case MeshFormat::vtk: return detail::parse_vtk(text, file);
-    case MeshFormat::vtk_xml: return detail::parse_vtk_xml(text, file);
-    case MeshFormat::stl: return detail::parse_stl(text, file);
-    case MeshFormat::ply: return detail::parse_ply(text, file);
-    case MeshFormat::off: return detail::parse_off(text, file);
-    case MeshFormat::obj: return detail::parse_obj(text, file);
+    case MeshFormat::gmsh:
+      return detail::parse_gmsh(text, file);
+    case MeshFormat::vtk:
+      return detail::parse_vtk(text, file);
+    case MeshFormat::vtk_xml:
+      return detail::parse_vtk_xml(text, file);
+    case MeshFormat::stl:
+      return detail::parse_stl(text, file);
+    case MeshFormat::ply:
+      return detail::parse_ply(text, file);
+    case MeshFormat::off:
+      return detail::parse_off(text, file);
+    case MeshFormat::obj:
+      return detail::parse_obj(text, file);
   }
   throw Error(ErrorKind::usage, "no such mesh format");
 }
@@ -105,7 +112,8 @@ MeshFormat mesh_format(std::string_view text, const std::string& file) {
     if (detail::same_word(extension, name)) return format;
   if (const auto format = format_by_beginning(text)) return *format;
   throw Error(ErrorKind::input,
-              "the format is not known from the name (extension '" + extension + "') nor from the contents. " + known_names,
+              "the format is not known from the name (extension '" + extension +
+                  "') nor from the contents. " + known_names,
               {file, 0, {}});
 }
 
@@ -116,7 +124,8 @@ Mesh parse_solid_mesh(std::string_view text, const std::string& file, MeshFormat
   return mesh;
 }
 
-SurfaceMesh parse_surface_mesh(std::string_view text, const std::string& file, MeshFormat format, Warnings* warnings) {
+SurfaceMesh parse_surface_mesh(std::string_view text, const std::string& file, MeshFormat format,
+                               Warnings* warnings) {
   auto raw = parse(text, file, format);
   SurfaceMesh surface = detail::surface_mesh(raw, file);
   hand_over(raw.warnings, file, warnings);

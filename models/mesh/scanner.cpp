@@ -22,7 +22,8 @@ std::string_view without_plus(std::string_view token) {
 }  // namespace
 
 bool same_word(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
 }
 
 std::string quoted(std::string_view text) {
@@ -116,8 +117,8 @@ std::int64_t Scanner::checked_count(std::int64_t value, const char* what, std::s
 
 int Scanner::checked_index(std::int64_t value, std::int64_t size, const char* what) const {
   if (value < 0 || value >= size)
-    fail(std::string(what) + " " + std::to_string(value) + " does not exist; there are " + std::to_string(size) +
-         ", numbered from 0");
+    fail(std::string(what) + " " + std::to_string(value) + " does not exist; there are " +
+         std::to_string(size) + ", numbered from 0");
   return static_cast<int>(value);
 }
 
@@ -135,7 +136,8 @@ void Scanner::fail(const std::string& message) const {
   if (binary)
     place.element += (section.empty() ? "byte " : ", byte ") + std::to_string(start_);
   else
-    place.line = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(start_), '\n'));
+    place.line = 1 + static_cast<int>(std::count(text_.begin(),
+                                                 text_.begin() + static_cast<std::ptrdiff_t>(start_), '\n'));
   throw Error(ErrorKind::input, message, place);
 }
 

@@ -1,4 +1,5 @@
-// Reads tokens, lines and bytes from a mesh file in memory; every complaint carries the file and the place in it.
+// Reads tokens, lines and bytes from a mesh file in memory; every complaint carries the file and the place in
+// it.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,8 @@
 
 namespace glisson::detail {
 
-/// Text and binary parts may alternate, as they do in VTK, Gmsh and PLY files. Nothing is copied: `text` must outlive it.
+/// Text and binary parts may alternate, as they do in VTK, Gmsh and PLY files. Nothing is copied: `text` must
+/// outlive it.
 class Scanner {
  public:
   Scanner(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
@@ -28,7 +30,8 @@ class Scanner {
 
   /// True when only white space is left.
   bool at_end();
-  /// The next token between white space; `what` says in the complaint what was expected at the end of the file.
+  /// The next token between white space; `what` says in the complaint what was expected at the end of the
+  /// file.
   std::string_view token(const char* what);
   /// The next token of this line, or nothing.
   std::optional<std::string_view> token_in_line();
@@ -44,9 +47,11 @@ class Scanner {
   double number_of(std::string_view token, const char* what) const;
   std::int64_t integer_of(std::string_view token, const char* what) const;
 
-  /// How many `what` follow, as text or already read. Each takes `least` bytes, so that a count which the rest of the
-  /// file cannot hold is refused before memory is taken for it. Fits into int.
-  std::int64_t count(const char* what, std::size_t least) { return checked_count(integer(what), what, least); }
+  /// How many `what` follow, as text or already read. Each takes `least` bytes, so that a count which the
+  /// rest of the file cannot hold is refused before memory is taken for it. Fits into int.
+  std::int64_t count(const char* what, std::size_t least) {
+    return checked_count(integer(what), what, least);
+  }
   std::int64_t checked_count(std::int64_t value, const char* what, std::size_t least) const;
   /// 0-based index that must lie in [0, size).
   int checked_index(std::int64_t value, std::int64_t size, const char* what) const;

@@ -56,7 +56,8 @@ RawMesh parse_binary(Scanner& scanner) {
   scanner.binary = true;
   scanner.section = "header";
   scanner.bytes(header_bytes, "the header");
-  const auto count = scanner.checked_count(scanner.load<std::uint32_t>("the number of facets"), "number of facets", facet_bytes);
+  const auto count = scanner.checked_count(scanner.load<std::uint32_t>("the number of facets"),
+                                           "number of facets", facet_bytes);
   if (scanner.remaining() != static_cast<std::size_t>(count) * facet_bytes)
     scanner.fail("there are " + std::to_string(count) + " facets according to the header, which take " +
                  std::to_string(count * 50) + " bytes, but " + std::to_string(scanner.remaining()) +
@@ -106,12 +107,14 @@ RawMesh parse_stl(std::string_view text, const std::string& file) {
   while (!scanner.at_end()) {
     const auto first = scanner.token("solid");
     if (!same_word(first, "solid"))
-      scanner.fail(quoted(first) + " stands where 'solid' should: this is no STL file, or a binary one that is cut off");
+      scanner.fail(quoted(first) +
+                   " stands where 'solid' should: this is no STL file, or a binary one that is cut off");
     scanner.line();  // the name
     while (true) {
       const auto word = scanner.token("facet or endsolid");
       if (same_word(word, "endsolid")) break;
-      if (!same_word(word, "facet")) scanner.fail(quoted(word) + " stands where 'facet' or 'endsolid' should");
+      if (!same_word(word, "facet"))
+        scanner.fail(quoted(word) + " stands where 'facet' or 'endsolid' should");
       parse_facet(scanner, vertices, raw);
     }
     scanner.line();

@@ -31,15 +31,16 @@ bool finite(const Vec3<double>& x) { return std::isfinite(x.x) && std::isfinite(
 
 }  // namespace
 
-Vec3<double> apply(const Transform& transform, const Vec3<double>& x) {
+Vec3<double> transformed(const Transform& transform, const Vec3<double>& x) {
   return moved(transform, rotation(transform.angles), x);
 }
 
-void apply(const Transform& transform, std::span<Vec3<double>> X) {
+void transform_nodes(const Transform& transform, std::span<Vec3<double>> X) {
   if (!(transform.scale > 0) || !std::isfinite(transform.scale) || !finite(transform.centre) ||
       !finite(transform.angles) || !finite(transform.translation))
     throw Error(ErrorKind::usage, "a transform needs finite numbers and a positive scale (" +
-                                      std::to_string(transform.scale) + "), else the mesh is turned inside out");
+                                      std::to_string(transform.scale) +
+                                      "), else the mesh is turned inside out");
   const auto R = rotation(transform.angles);
   for (auto& x : X) x = moved(transform, R, x);
 }

@@ -7,15 +7,22 @@
 namespace glisson::detail {
 
 std::optional<NumberType> VtkReader::number_type(bool& is_bit) {
-  constexpr std::pair<std::string_view, NumberType> names[] = {
-      {"bit", NumberType::uint8},           {"char", NumberType::int8},
-      {"signed_char", NumberType::int8},    {"unsigned_char", NumberType::uint8},
-      {"short", NumberType::int16},         {"unsigned_short", NumberType::uint16},
-      {"int", NumberType::int32},           {"unsigned_int", NumberType::uint32},
-      {"long", NumberType::int64},          {"unsigned_long", NumberType::uint64},
-      {"vtkidtype", NumberType::int32},     {"vtktypeint64", NumberType::int64},
-      {"vtktypeuint64", NumberType::uint64}, {"vtktypeint32", NumberType::int32},
-      {"float", NumberType::float32},       {"double", NumberType::float64}};
+  constexpr std::pair<std::string_view, NumberType> names[] = {{"bit", NumberType::uint8},
+                                                               {"char", NumberType::int8},
+                                                               {"signed_char", NumberType::int8},
+                                                               {"unsigned_char", NumberType::uint8},
+                                                               {"short", NumberType::int16},
+                                                               {"unsigned_short", NumberType::uint16},
+                                                               {"int", NumberType::int32},
+                                                               {"unsigned_int", NumberType::uint32},
+                                                               {"long", NumberType::int64},
+                                                               {"unsigned_long", NumberType::uint64},
+                                                               {"vtkidtype", NumberType::int32},
+                                                               {"vtktypeint64", NumberType::int64},
+                                                               {"vtktypeuint64", NumberType::uint64},
+                                                               {"vtktypeint32", NumberType::int32},
+                                                               {"float", NumberType::float32},
+                                                               {"double", NumberType::float64}};
   const auto word = scanner.token("a number type");
   is_bit = same_word(word, "bit");
   if (same_word(word, "string")) return {};
@@ -91,7 +98,8 @@ void read_header(VtkReader& reader) {
   constexpr std::string_view magic = "# vtk DataFile Version ";
   const auto first = scanner.line();
   if (!first.starts_with(magic))
-    scanner.fail("the first line does not begin with '" + std::string(magic) + "': this is no legacy VTK file");
+    scanner.fail("the first line does not begin with '" + std::string(magic) +
+                 "': this is no legacy VTK file");
   const auto version = first.substr(magic.size());
   const auto dot = std::min(version.find('.'), version.size());
   reader.major = static_cast<int>(scanner.integer_of(version.substr(0, dot), "the version"));
@@ -114,7 +122,8 @@ void read_points(VtkReader& reader) {
   bool is_bit = false;
   const auto type = reader.number_type(is_bit);
   if (!type || is_bit) scanner.fail("points must be numbers");
-  const auto values = reader.numbers(reader.room_for(count, 3, *type, false, "number of points"), *type, false, "a coordinate");
+  const auto values = reader.numbers(reader.room_for(count, 3, *type, false, "number of points"), *type,
+                                     false, "a coordinate");
   if (!reader.raw.X.empty()) scanner.fail("the points are there twice");
   for (std::size_t i = 0; i < values.size(); i += 3)
     reader.raw.X.push_back(scanner.finite({values[i], values[i + 1], values[i + 2]}));

@@ -22,8 +22,8 @@ std::string decoded(std::string_view name) {
   return text;
 }
 
-/// Strings cannot become arrays of numbers. As text each has a line; as bytes each has its length before it, whose two
-/// highest bits say how many bytes the length takes.
+/// Strings cannot become arrays of numbers. As text each has a line; as bytes each has its length before it,
+/// whose two highest bits say how many bytes the length takes.
 void pass_over_strings(Scanner& scanner, std::int64_t count) {
   scanner.line();
   for (std::int64_t i = 0; i < count; ++i) {
@@ -60,15 +60,18 @@ void read_field(VtkReader& reader, std::int64_t tuples, std::map<std::string, Na
       name = scanner.token("the name of an array");
     }
     if (name == "NULL_ARRAY") continue;
-    const auto components = scanner.integer("the number of components"), rows = scanner.integer("the number of tuples");
+    const auto components = scanner.integer("the number of components"),
+               rows = scanner.integer("the number of tuples");
     if (tuples >= 0 && rows != tuples)
-      scanner.fail("array " + quoted(name) + " has " + std::to_string(rows) + " tuples, but " + std::to_string(tuples) +
-                   " are needed");
+      scanner.fail("array " + quoted(name) + " has " + std::to_string(rows) + " tuples, but " +
+                   std::to_string(tuples) + " are needed");
     bool is_bit = false;
     const auto type = reader.number_type(is_bit);
-    if (components < 1 && rows != 0) scanner.fail(std::to_string(components) + " components are not possible");
+    if (components < 1 && rows != 0)
+      scanner.fail(std::to_string(components) + " components are not possible");
     if (!type) {
-      scanner.checked_count(rows, "number of tuples", static_cast<std::size_t>(std::clamp<std::int64_t>(components, 1, 1'000'000)));
+      scanner.checked_count(rows, "number of tuples",
+                            static_cast<std::size_t>(std::clamp<std::int64_t>(components, 1, 1'000'000)));
       pass_over_strings(scanner, rows * std::min<std::int64_t>(components, 1'000'000));
       continue;
     }
@@ -86,7 +89,8 @@ void read_scalars(VtkReader& reader, std::int64_t tuples, std::map<std::string, 
   const auto type = reader.number_type(is_bit);
   if (!type) scanner.fail("strings cannot stand here");
   std::int64_t components = 1;
-  if (const auto token = scanner.token_in_line()) components = scanner.integer_of(*token, "the number of components");
+  if (const auto token = scanner.token_in_line())
+    components = scanner.integer_of(*token, "the number of components");
   if (components < 1) scanner.fail(std::to_string(components) + " components are not possible");
   const auto ahead = scanner.rest();
   const auto start = std::min(ahead.find_first_not_of(" \t\r\n"), ahead.size());
@@ -121,7 +125,7 @@ bool read_vtk_attribute(VtkReader& reader, std::string_view keyword, std::int64_
     return true;
   }
   const bool coloured = is("COLOR_SCALARS"), table = is("LOOKUP_TABLE"), texture = is("TEXTURE_COORDINATES");
-  const std::int64_t components = is("VECTORS") || is("NORMALS")          ? 3
+  const std::int64_t components = is("VECTORS") || is("NORMALS")           ? 3
                                   : is("TENSORS")                          ? 9
                                   : is("TENSORS6")                         ? 6
                                   : is("GLOBAL_IDS") || is("PEDIGREE_IDS") ? 1

@@ -6,7 +6,8 @@ namespace {
 
 void add_cell(VtkReader& reader, std::optional<int> code, std::span<const std::int64_t> its_nodes) {
   RawMesh& raw = reader.raw;
-  for (const auto n : its_nodes) raw.nodes.push_back(reader.scanner.checked_index(n, std::ssize(raw.X), "point"));
+  for (const auto n : its_nodes)
+    raw.nodes.push_back(reader.scanner.checked_index(n, std::ssize(raw.X), "point"));
   raw.begin.push_back(raw.nodes.size());
   if (code) raw.code.push_back(static_cast<std::uint8_t>(*code));
 }
@@ -28,8 +29,8 @@ void read_with_counts(VtkReader& reader, std::optional<int> code) {
     i += 1 + nodes;
   }
   if (i != entries.size())
-    scanner.fail("the " + std::to_string(count) + " cells take " + std::to_string(i) + " numbers of the list, but its size is " +
-                 std::to_string(size));
+    scanner.fail("the " + std::to_string(count) + " cells take " + std::to_string(i) +
+                 " numbers of the list, but its size is " + std::to_string(size));
 }
 
 std::vector<std::int64_t> read_list(VtkReader& reader, const char* keyword, std::int64_t count) {
@@ -48,17 +49,21 @@ std::vector<std::int64_t> read_list(VtkReader& reader, const char* keyword, std:
 
 void read_with_offsets(VtkReader& reader, std::optional<int> code) {
   Scanner& scanner = reader.scanner;
-  const auto offset_count = scanner.integer("the number of offsets"), size = scanner.integer("the size of the connectivity");
+  const auto offset_count = scanner.integer("the number of offsets"),
+             size = scanner.integer("the size of the connectivity");
   if (offset_count == 0 && size == 0) return;
   const auto offsets = read_list(reader, "OFFSETS", offset_count);
   const auto nodes = read_list(reader, "CONNECTIVITY", size);
   if (offsets.empty() || offsets.front() != 0 || offsets.back() != static_cast<std::int64_t>(nodes.size()))
-    scanner.fail("the offsets do not run from 0 to the size of the connectivity, " + std::to_string(nodes.size()));
+    scanner.fail("the offsets do not run from 0 to the size of the connectivity, " +
+                 std::to_string(nodes.size()));
   for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
-    if (offsets[c] < 0 || offsets[c + 1] < offsets[c] || static_cast<std::size_t>(offsets[c + 1]) > nodes.size())
+    if (offsets[c] < 0 || offsets[c + 1] < offsets[c] ||
+        static_cast<std::size_t>(offsets[c + 1]) > nodes.size())
       scanner.fail("the offsets decrease behind cell " + std::to_string(c));
-    add_cell(reader, code, std::span(nodes).subspan(static_cast<std::size_t>(offsets[c]),
-                                                    static_cast<std::size_t>(offsets[c + 1] - offsets[c])));
+    add_cell(reader, code,
+             std::span(nodes).subspan(static_cast<std::size_t>(offsets[c]),
+                                      static_cast<std::size_t>(offsets[c + 1] - offsets[c])));
   }
 }
 
@@ -81,7 +86,8 @@ void read_vtk_cell_types(VtkReader& reader) {
     scanner.fail("there are " + std::to_string(cells) + " cells, but types for " + std::to_string(count));
   const auto types = reader.integers(reader.room_for(count, 1, NumberType::int32, false, "number of cells"),
                                      NumberType::int32, "the type of a cell");
-  for (const auto type : types) reader.raw.code.push_back(static_cast<std::uint8_t>(scanner.checked_index(type, 256, "cell type")));
+  for (const auto type : types)
+    reader.raw.code.push_back(static_cast<std::uint8_t>(scanner.checked_index(type, 256, "cell type")));
 }
 
 }  // namespace glisson::detail

@@ -23,8 +23,10 @@ const XMLElement& required_child(const XmlData& data, const XMLElement& parent, 
 }
 
 const XMLElement* named_array(const XMLElement& parent, std::string_view name) {
-  for (auto* array = parent.FirstChildElement("DataArray"); array; array = array->NextSiblingElement("DataArray"))
-    if (const char* its_name = array->Attribute("Name"); its_name != nullptr && name == its_name) return array;
+  for (auto* array = parent.FirstChildElement("DataArray"); array;
+       array = array->NextSiblingElement("DataArray"))
+    if (const char* its_name = array->Attribute("Name"); its_name != nullptr && name == its_name)
+      return array;
   return nullptr;
 }
 
@@ -34,7 +36,8 @@ const XMLElement& required_array(const XmlData& data, const XMLElement& parent, 
   return *array;
 }
 
-std::int64_t integer_attribute(const XmlData& data, const XMLElement& element, const char* name, std::int64_t otherwise) {
+std::int64_t integer_attribute(const XmlData& data, const XMLElement& element, const char* name,
+                               std::int64_t otherwise) {
   const char* text = element.Attribute(name);
   if (text == nullptr) return otherwise;
   Scanner scanner(text, {});
@@ -45,7 +48,8 @@ std::int64_t integer_attribute(const XmlData& data, const XMLElement& element, c
     value = -1;
   }
   if (value < 0 || value > std::numeric_limits<int>::max())
-    data.fail(element, std::string(name) + "=" + quoted(text) + " is not a whole number from 0 to 2147483647");
+    data.fail(element,
+              std::string(name) + "=" + quoted(text) + " is not a whole number from 0 to 2147483647");
   return value;
 }
 
@@ -53,7 +57,8 @@ std::int64_t integer_attribute(const XmlData& data, const XMLElement& element, c
 void append_arrays(XmlData& data, const XMLElement* parent, std::size_t before, std::size_t count,
                    std::map<std::string, NamedArray>& arrays) {
   if (parent == nullptr) return;
-  for (auto* array = parent->FirstChildElement("DataArray"); array; array = array->NextSiblingElement("DataArray")) {
+  for (auto* array = parent->FirstChildElement("DataArray"); array;
+       array = array->NextSiblingElement("DataArray")) {
     const char* name = array->Attribute("Name");
     const char* type = array->Attribute("type");
     if (type != nullptr && std::string_view(type) == "String") continue;
@@ -85,7 +90,8 @@ void append_points(XmlData& data, const XMLElement& piece, std::size_t count, Ra
 }
 
 /// code: of every cell; nothing: there is an array with types.
-void append_cells(XmlData& data, const XMLElement& cells, std::size_t count, int code, std::size_t first_point, RawMesh& raw) {
+void append_cells(XmlData& data, const XMLElement& cells, std::size_t count, int code,
+                  std::size_t first_point, RawMesh& raw) {
   if (count == 0) return;
   const auto& offset_array = required_array(data, cells, "offsets");
   const auto offsets = data.integers(offset_array, count);
@@ -96,7 +102,8 @@ void append_cells(XmlData& data, const XMLElement& cells, std::size_t count, int
     if (offsets[c] < begin) data.fail(offset_array, "the offsets decrease at cell " + std::to_string(c));
     begin = offsets[c];
     if (code < 0 && (types[c] < 0 || types[c] > 255))
-      data.fail(cells, "cell " + std::to_string(c) + " has the type " + std::to_string(types[c]) + ", which is not known");
+      data.fail(cells, "cell " + std::to_string(c) + " has the type " + std::to_string(types[c]) +
+                           ", which is not known");
     raw.code.push_back(static_cast<std::uint8_t>(code < 0 ? types[c] : code));
   }
   const auto& node_array = required_array(data, cells, "connectivity");
@@ -104,8 +111,8 @@ void append_cells(XmlData& data, const XMLElement& cells, std::size_t count, int
   const auto points = static_cast<std::int64_t>(raw.X.size() - first_point);
   for (const auto n : nodes) {
     if (n < 0 || n >= points)
-      data.fail(node_array, "point " + std::to_string(n) + " does not exist; there are " + std::to_string(points) +
-                                ", numbered from 0");
+      data.fail(node_array, "point " + std::to_string(n) + " does not exist; there are " +
+                                std::to_string(points) + ", numbered from 0");
     raw.nodes.push_back(static_cast<int>(n + static_cast<std::int64_t>(first_point)));
   }
   const auto first_entry = raw.begin.back();
@@ -123,9 +130,11 @@ void append_piece(XmlData& data, const XMLElement& piece, bool polydata, RawMesh
   if (polydata) {
     // Vertices and lines are of no use, and the arrays of cells belong to nothing that is kept.
     const auto polys = static_cast<std::size_t>(integer_attribute(data, piece, "NumberOfPolys", 0));
-    if (polys > 0) append_cells(data, required_child(data, piece, "Polys"), polys, cell_polygon, first_point, raw);
+    if (polys > 0)
+      append_cells(data, required_child(data, piece, "Polys"), polys, cell_polygon, first_point, raw);
     const auto strips = static_cast<std::size_t>(integer_attribute(data, piece, "NumberOfStrips", 0));
-    if (strips > 0) append_cells(data, required_child(data, piece, "Strips"), strips, cell_strip, first_point, raw);
+    if (strips > 0)
+      append_cells(data, required_child(data, piece, "Strips"), strips, cell_strip, first_point, raw);
     return;
   }
   if (piece.Attribute("NumberOfCells") == nullptr) data.fail(piece, "NumberOfCells is missing");
@@ -134,7 +143,8 @@ void append_piece(XmlData& data, const XMLElement& piece, bool polydata, RawMesh
   append_arrays(data, piece.FirstChildElement("CellData"), first_cell, cells, raw.cell_arrays);
 }
 
-void check_arrays(const XmlData& data, const XMLElement& grid, std::size_t count, const std::map<std::string, NamedArray>& arrays) {
+void check_arrays(const XmlData& data, const XMLElement& grid, std::size_t count,
+                  const std::map<std::string, NamedArray>& arrays) {
   for (const auto& [name, array] : arrays)
     if (array.values.size() != count * static_cast<std::size_t>(array.components))
       data.fail(grid, "the array " + quoted(name) + " is not there in every piece");
@@ -147,17 +157,20 @@ void read_settings(XmlData& data, const XMLElement& root) {
   };
   const auto order = value("byte_order", "LittleEndian"), header = value("header_type", "UInt32"),
              compressor = value("compressor", "");
-  if (order != "LittleEndian" && order != "BigEndian") data.fail(root, "byte_order=" + quoted(order) + " is not known");
+  if (order != "LittleEndian" && order != "BigEndian")
+    data.fail(root, "byte_order=" + quoted(order) + " is not known");
   data.swap = (order == "BigEndian") != (std::endian::native == std::endian::big);
   if (header != "UInt32" && header != "UInt64")
     data.fail(root, "header_type=" + quoted(header) + " is not UInt32 or UInt64");
   data.header_bytes = header == "UInt32" ? 4 : 8;
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-    data.fail(root, "compressor=" + quoted(compressor) + " is not supported. Save the file with ZLib or without compression");
+    data.fail(root, "compressor=" + quoted(compressor) +
+                        " is not supported. Save the file with ZLib or without compression");
   data.compressed = !compressor.empty();
 }
 
-/// Appended data may be raw bytes, which are no XML: they are cut off before the rest is parsed. Returns the XML.
+/// Appended data may be raw bytes, which are no XML: they are cut off before the rest is parsed. Returns the
+/// XML.
 std::string cut_appended(std::string_view text, XmlData& data) {
   const auto start = text.find("<AppendedData");
   if (start == std::string_view::npos) return std::string(text);
@@ -176,19 +189,24 @@ RawMesh parse_vtk_xml(std::string_view text, const std::string& file) {
   const auto xml = cut_appended(text, data);
   tinyxml2::XMLDocument document;
   if (document.Parse(xml.data(), xml.size()) != tinyxml2::XML_SUCCESS)
-    throw Error(ErrorKind::input, std::string("this is not well-formed XML (") + document.ErrorName() +
-                                      "); the file is truncated or damaged", {file, document.ErrorLineNum(), {}});
+    throw Error(ErrorKind::input,
+                std::string("this is not well-formed XML (") + document.ErrorName() +
+                    "); the file is truncated or damaged",
+                {file, document.ErrorLineNum(), {}});
   const auto* root = document.RootElement();
   if (root == nullptr || std::string_view(root->Name()) != "VTKFile")
-    throw Error(ErrorKind::input, "the root element is not <VTKFile>: this is no VTK XML file", {file, 1, {}});
+    throw Error(ErrorKind::input, "the root element is not <VTKFile>: this is no VTK XML file",
+                {file, 1, {}});
   read_settings(data, *root);
   const char* type = root->Attribute("type");
   const bool polydata = type != nullptr && std::string_view(type) == "PolyData";
   if (type == nullptr || (!polydata && std::string_view(type) != "UnstructuredGrid"))
-    data.fail(*root, "type=" + quoted(type == nullptr ? "" : type) + " is not supported; UnstructuredGrid and PolyData are");
+    data.fail(*root, "type=" + quoted(type == nullptr ? "" : type) +
+                         " is not supported; UnstructuredGrid and PolyData are");
   const auto& grid = required_child(data, *root, type);
   RawMesh raw;
-  for (auto* piece = grid.FirstChildElement("Piece"); piece != nullptr; piece = piece->NextSiblingElement("Piece"))
+  for (auto* piece = grid.FirstChildElement("Piece"); piece != nullptr;
+       piece = piece->NextSiblingElement("Piece"))
     append_piece(data, *piece, polydata, raw);
   check_arrays(data, grid, raw.X.size(), raw.point_arrays);
   if (!polydata) check_arrays(data, grid, raw.cell_count(), raw.cell_arrays);

@@ -1,5 +1,5 @@
-// Binary data begin with their size, or when compressed with: number of blocks, size of a block, size of the last block
-// if it is not full, compressed size of each block ("VTK file formats", XML file formats).
+// Binary data begin with their size, or when compressed with: number of blocks, size of a block, size of the
+// last block if it is not full, compressed size of each block ("VTK file formats", XML file formats).
 #include <glisson/models/mesh/vtk_xml_data.hpp>
 
 #include <tinyxml2.h>
@@ -42,7 +42,8 @@ bool ByteSource::decode_group() {
   unsigned group = 0;
   int letters = 0;
   for (int place = 0; place < 4; ++place) {
-    while (next_ < text_.size() && (text_[next_] == ' ' || (text_[next_] >= '\t' && text_[next_] <= '\r'))) ++next_;
+    while (next_ < text_.size() && (text_[next_] == ' ' || (text_[next_] >= '\t' && text_[next_] <= '\r')))
+      ++next_;
     if (next_ == text_.size()) return false;
     const int value = sextet(text_[next_]);
     if (value < 0 && text_[next_] != '=') return false;
@@ -95,8 +96,8 @@ std::string XmlData::inflated(const tinyxml2::XMLElement& array, ByteSource& sou
   const auto blocks = header_number(array, source), block_size = header_number(array, source),
              last_size = header_number(array, source);
   if (blocks > source.most() / header_bytes)
-    fail(array, std::to_string(blocks) + " compressed blocks cannot be right: only " + std::to_string(source.most()) +
-                    " bytes follow");
+    fail(array, std::to_string(blocks) + " compressed blocks cannot be right: only " +
+                    std::to_string(source.most()) + " bytes follow");
   std::vector<std::uint64_t> packed(blocks);
   for (auto& size : packed) size = header_number(array, source);
   std::string result, block;
@@ -105,15 +106,16 @@ std::string XmlData::inflated(const tinyxml2::XMLElement& array, ByteSource& sou
     block.clear();
     if (packed[b] > source.most() || source.read(packed[b], block) != packed[b])
       fail(array, "compressed block " + std::to_string(b) + " is truncated");
-    if (size > 1100 * packed[b] + 64 || size > budget_ || (wanted != any_count && size > wanted - result.size()))
+    if (size > 1100 * packed[b] + 64 || size > budget_ ||
+        (wanted != any_count && size > wanted - result.size()))
       fail(array, "compressed block " + std::to_string(b) + " unpacks to " + std::to_string(size) +
                       " bytes, which is more than the array can have");
     budget_ -= size;
     const auto before = result.size();
     result.resize(before + size);
     uLongf unpacked = static_cast<uLongf>(size);
-    if (uncompress(reinterpret_cast<Bytef*>(result.data() + before), &unpacked, reinterpret_cast<const Bytef*>(block.data()),
-                   static_cast<uLong>(block.size())) != Z_OK ||
+    if (uncompress(reinterpret_cast<Bytef*>(result.data() + before), &unpacked,
+                   reinterpret_cast<const Bytef*>(block.data()), static_cast<uLong>(block.size())) != Z_OK ||
         unpacked != size)
       fail(array, "compressed block " + std::to_string(b) + " is damaged (zlib)");
   }
@@ -130,8 +132,8 @@ std::string XmlData::bytes(const tinyxml2::XMLElement& array, std::size_t wanted
     Scanner number(offset_text, file_);
     const auto offset = number.integer_of(offset_text, "an offset");
     if (offset < 0 || static_cast<std::uint64_t>(offset) > appended.size())
-      fail(array, "the offset " + std::to_string(offset) + " is beyond the " + std::to_string(appended.size()) +
-                      " bytes of appended data; the file is truncated");
+      fail(array, "the offset " + std::to_string(offset) + " is beyond the " +
+                      std::to_string(appended.size()) + " bytes of appended data; the file is truncated");
     text = appended.substr(static_cast<std::size_t>(offset));
   } else if (array.GetText() != nullptr) {
     text = array.GetText();
@@ -144,7 +146,8 @@ std::string XmlData::bytes(const tinyxml2::XMLElement& array, std::size_t wanted
     fail(array, "the array has " + std::to_string(size) + " bytes, but needs " + std::to_string(wanted));
   std::string result;
   if (size > source.most() || size > budget_ || source.read(size, result) != size)
-    fail(array, "the array should have " + std::to_string(size) + " bytes, but the data end before; the file is truncated");
+    fail(array, "the array should have " + std::to_string(size) +
+                    " bytes, but the data end before; the file is truncated");
   budget_ -= size;
   return result;
 }
@@ -161,7 +164,8 @@ std::vector<T> XmlData::text_values(const tinyxml2::XMLElement& array, const cha
       else
         values.push_back(scanner.number_of(token, "a number"));
     } catch (const Error&) {
-      fail(array, quoted(token) + " is no " + (std::is_integral_v<T> ? "whole number" : "number") + " in range");
+      fail(array,
+           quoted(token) + " is no " + (std::is_integral_v<T> ? "whole number" : "number") + " in range");
     }
     if (values.size() > count) fail(array, "the array has more than " + std::to_string(count) + " values");
   }
@@ -179,7 +183,8 @@ std::vector<T> XmlData::values(const tinyxml2::XMLElement& array, std::size_t co
     values = text_values<T>(array, array.GetText() == nullptr ? "" : array.GetText(), count);
   } else if (its_format == "binary" || its_format == "appended") {
     const auto size = size_of(type);
-    if (count != any_count && count > any_count / 16) fail(array, std::to_string(count) + " values are not possible");
+    if (count != any_count && count > any_count / 16)
+      fail(array, std::to_string(count) + " values are not possible");
     const auto data = bytes(array, count == any_count ? any_count : count * size);
     if (data.size() % size != 0) fail(array, "the data end within a value");
     values.reserve(data.size() / size);
@@ -192,7 +197,8 @@ std::vector<T> XmlData::values(const tinyxml2::XMLElement& array, std::size_t co
     fail(array, "the format " + quoted(its_format) + " is not ascii, binary or appended");
   }
   if (count != any_count && values.size() != count)
-    fail(array, "the array has " + std::to_string(values.size()) + " values, but needs " + std::to_string(count));
+    fail(array,
+         "the array has " + std::to_string(values.size()) + " values, but needs " + std::to_string(count));
   return values;
 }
 

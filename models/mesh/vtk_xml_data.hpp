@@ -13,14 +13,17 @@ class XMLElement;
 
 namespace glisson::detail {
 
-/// Bytes that are read forwards from raw data or from base64, where padding may stand at the end of each part.
+/// Bytes that are read forwards from raw data or from base64, where padding may stand at the end of each
+/// part.
 class ByteSource {
  public:
   ByteSource(std::string_view text, bool base64) : text_(text), base64_(base64) {}
   /// Appends up to `count` bytes and returns how many; letters outside the alphabet end the data.
   std::size_t read(std::size_t count, std::string& bytes);
   /// More bytes than are left at most.
-  std::size_t most() const { return base64_ ? held_.size() + (text_.size() - next_) / 4 * 3 + 3 : text_.size() - next_; }
+  std::size_t most() const {
+    return base64_ ? held_.size() + (text_.size() - next_) / 4 * 3 + 3 : text_.size() - next_;
+  }
 
  private:
   bool decode_group();
@@ -35,7 +38,8 @@ class ByteSource {
 /// How the file codes its arrays.
 class XmlData {
  public:
-  XmlData(std::string file, std::size_t file_bytes) : file_(std::move(file)), budget_(1100 * file_bytes + 65536) {}
+  XmlData(std::string file, std::size_t file_bytes)
+      : file_(std::move(file)), budget_(1100 * file_bytes + 65536) {}
 
   bool swap = false;
   bool compressed = false;

@@ -32,7 +32,9 @@ void write_gmsh_data(std::ostream& out, const char* section, const std::string& 
   std::string plain = name;
   for (char& c : plain)
     if (c == '"' || c == '\n' || c == '\r') c = '_';
-  out << '$' << section << "\n1\n\"" << plain << "\"\n1\n0\n3\n0\n" << text_of(padded) << '\n' << text_of(count) << '\n';
+  out << '$' << section << "\n1\n\"" << plain << "\"\n1\n0\n3\n0\n"
+      << text_of(padded) << '\n'
+      << text_of(count) << '\n';
   for (std::size_t i = 0; i < count; ++i) {
     out << text_of(i + 1);
     for (std::size_t c = 0; c < padded; ++c)
@@ -100,7 +102,8 @@ void put_cells(VtkWriter& writer, std::ostream& out, const Mesh& mesh) {
   }
   writer.end();
   out << "CELL_TYPES " << count << '\n';
-  for (const Shape shape : mesh.shape) writer.put(static_cast<std::int32_t>(shape == Shape::tetrahedron ? 10 : 12));
+  for (const Shape shape : mesh.shape)
+    writer.put(static_cast<std::int32_t>(shape == Shape::tetrahedron ? 10 : 12));
   writer.end();
 }
 
@@ -109,25 +112,29 @@ void put_cells(VtkWriter& writer, std::ostream& out, const Mesh& mesh) {
 void write_gmsh(std::ostream& out, const Mesh& mesh) {
   out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << text_of(mesh.X.size()) << '\n';
   for (std::size_t n = 0; n < mesh.X.size(); ++n)
-    out << text_of(n + 1) << ' ' << text_of(mesh.X[n].x) << ' ' << text_of(mesh.X[n].y) << ' ' << text_of(mesh.X[n].z)
-        << '\n';
+    out << text_of(n + 1) << ' ' << text_of(mesh.X[n].x) << ' ' << text_of(mesh.X[n].y) << ' '
+        << text_of(mesh.X[n].z) << '\n';
   out << "$EndNodes\n$Elements\n" << text_of(mesh.shape.size()) << '\n';
   for (int e = 0; e < mesh.element_count(); ++e) {
     const auto at = static_cast<std::size_t>(e);
     const auto label = text_of(mesh.label.empty() ? 0 : mesh.label[at]);
-    out << text_of(e + 1) << (mesh.shape[at] == Shape::tetrahedron ? " 4 2 " : " 5 2 ") << label << ' ' << label;
+    out << text_of(e + 1) << (mesh.shape[at] == Shape::tetrahedron ? " 4 2 " : " 5 2 ") << label << ' '
+        << label;
     for (const int n : mesh.element(e)) out << ' ' << text_of(n + 1);
     out << '\n';
   }
   out << "$EndElements\n";
-  for (const auto& [name, array] : mesh.point_arrays) write_gmsh_data(out, "NodeData", name, array, mesh.X.size());
-  for (const auto& [name, array] : mesh.cell_arrays) write_gmsh_data(out, "ElementData", name, array, mesh.shape.size());
+  for (const auto& [name, array] : mesh.point_arrays)
+    write_gmsh_data(out, "NodeData", name, array, mesh.X.size());
+  for (const auto& [name, array] : mesh.cell_arrays)
+    write_gmsh_data(out, "ElementData", name, array, mesh.shape.size());
 }
 
 void write_vtk(std::ostream& out, const Mesh& mesh, Encoding encoding) {
   VtkWriter writer(out, encoding);
-  out << "# vtk DataFile Version 4.2\nmesh written by Glisson\n" << (encoding == Encoding::binary ? "BINARY" : "ASCII")
-      << "\nDATASET UNSTRUCTURED_GRID\nPOINTS " << text_of(mesh.X.size()) << " double\n";
+  out << "# vtk DataFile Version 4.2\nmesh written by Glisson\n"
+      << (encoding == Encoding::binary ? "BINARY" : "ASCII") << "\nDATASET UNSTRUCTURED_GRID\nPOINTS "
+      << text_of(mesh.X.size()) << " double\n";
   for (const auto& x : mesh.X) {
     writer.put(x.x);
     writer.put(x.y);
@@ -135,7 +142,8 @@ void write_vtk(std::ostream& out, const Mesh& mesh, Encoding encoding) {
   }
   writer.end();
   put_cells(writer, out, mesh);
-  if (!mesh.label.empty() || !mesh.cell_arrays.empty()) out << "CELL_DATA " << text_of(mesh.element_count()) << '\n';
+  if (!mesh.label.empty() || !mesh.cell_arrays.empty())
+    out << "CELL_DATA " << text_of(mesh.element_count()) << '\n';
   if (!mesh.label.empty()) {
     out << "SCALARS label int 1\nLOOKUP_TABLE default\n";
     for (const int label : mesh.label) writer.put(static_cast<std::int32_t>(label));
@@ -185,7 +193,8 @@ void write_mesh(const std::string& path, const Mesh& mesh, Encoding encoding) {
   if (is(".vtk")) return write_atomically(path, [&](std::ostream& out) { write_vtk(out, mesh, encoding); });
   if (is(".vtu")) return write_vtu(path, mesh, {}, VtuOptions{OutputPrecision::full});
   if (is(".stl")) return write_surface(path, SurfaceMesh{mesh.X, outer_surface(mesh)});
-  throw Error(ErrorKind::usage, "meshes are written as .msh, .vtk, .vtu or .stl; '" + path + "' has another extension");
+  throw Error(ErrorKind::usage,
+              "meshes are written as .msh, .vtk, .vtu or .stl; '" + path + "' has another extension");
 }
 
 }  // namespace glisson
