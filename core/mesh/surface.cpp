@@ -1,7 +1,9 @@
+#include <glisson/core/mesh/surface.hpp>
+
+#include <glisson/core/base/error.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <glisson/core/base/error.hpp>
-#include <glisson/core/mesh/surface.hpp>
 #include <limits>
 
 namespace glisson {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glisson/core/mesh/mesh.hpp>
+
 #include <span>
 #include <vector>
 

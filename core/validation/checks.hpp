@@ -5,6 +5,7 @@
 #include <glisson/core/base/error.hpp>
 #include <glisson/core/base/number_text.hpp>
 #include <glisson/core/model.hpp>
+
 #include <string>
 #include <vector>
 

@@ -1,8 +1,9 @@
 // Loads, constraints, bodies and time settings: lists within the mesh, values that fit them, curves that can
 // be evaluated.
+#include <glisson/core/validation/checks.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <glisson/core/validation/checks.hpp>
 
 namespace glisson::detail {
 namespace {

@@ -1,9 +1,10 @@
 // Mesh: array sizes, indices, inverted, flat and badly shaped elements, nodes that nothing holds.
+#include <glisson/core/validation/checks.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <glisson/core/validation/checks.hpp>
 #include <limits>
 
 namespace glisson::detail {

@@ -1,7 +1,8 @@
 // Sections: every element in exactly one, its formulation fits its shape, the material is physical.
-#include <cmath>
 #include <glisson/core/materials/law_table.hpp>
 #include <glisson/core/validation/checks.hpp>
+
+#include <cmath>
 
 namespace glisson::detail {
 namespace {

@@ -1,9 +1,10 @@
 // Orders of magnitude of soft tissue in declared units: a wrong unit is the commonest mistake in a simulation
 // file.
-#include <algorithm>
-#include <cmath>
 #include <glisson/core/materials/law_table.hpp>
 #include <glisson/core/validation/checks.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace glisson::detail {
 namespace {

@@ -1,7 +1,8 @@
 // What a constraint acts on, from its XML: lists, NumNodes="all", selection elements, Select trees and
 // RestrictTo.
-#include <algorithm>
 #include <glisson/models/format/reader.hpp>
+
+#include <algorithm>
 
 namespace glisson::detail {
 namespace {

@@ -1,6 +1,8 @@
-#include <algorithm>
 #include <glisson/models/format/constraint_reader.hpp>
+
 #include <glisson/models/format/suggest.hpp>
+
+#include <algorithm>
 
 namespace glisson::detail {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glisson/models/format/reader.hpp>
+
 #include <span>
 #include <string>
 #include <vector>

@@ -1,7 +1,8 @@
 // Constraint: boundary conditions and loads of one level.
-#include <array>
 #include <glisson/models/format/constraint_reader.hpp>
 #include <glisson/models/format/suggest.hpp>
+
+#include <array>
 
 namespace glisson::detail {
 namespace {

@@ -1,6 +1,7 @@
 // ContactPlate, ContactCylinder, ContactUSProbe: analytic rigid bodies that move over time.
-#include <cmath>
 #include <glisson/models/format/reader.hpp>
+
+#include <cmath>
 
 namespace glisson::detail {
 namespace {

@@ -1,6 +1,7 @@
 // ElementSet: which elements have which material and formulation.
-#include <algorithm>
 #include <glisson/models/format/reader.hpp>
+
+#include <algorithm>
 
 namespace glisson::detail {
 namespace {

@@ -1,9 +1,10 @@
 // Material of an ElementSet: law, parameters, Prony terms, density, per-element values from cell arrays.
-#include <algorithm>
-#include <cmath>
 #include <glisson/core/materials/law_table.hpp>
 #include <glisson/models/format/reader.hpp>
 #include <glisson/models/format/suggest.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace glisson::detail {
 namespace {

@@ -1,9 +1,11 @@
+#include <glisson/models/format/read_model.hpp>
+
+#include <glisson/models/format/reader.hpp>
+#include <glisson/models/format/schema.hpp>
+
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <glisson/models/format/read_model.hpp>
-#include <glisson/models/format/reader.hpp>
-#include <glisson/models/format/schema.hpp>
 #include <sstream>
 
 namespace glisson {

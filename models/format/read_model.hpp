@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glisson/core/model.hpp>
+
 #include <string>
 #include <string_view>
 #include <vector>

@@ -6,6 +6,7 @@
 #include <glisson/models/format/read_model.hpp>
 #include <glisson/models/format/xml_tree.hpp>
 #include <glisson/models/selection/selection.hpp>
+
 #include <memory>
 #include <optional>
 #include <string>

@@ -1,7 +1,9 @@
+#include <glisson/models/format/schema.hpp>
+
+#include <glisson/models/format/read_model.hpp>
+
 #include <algorithm>
 #include <array>
-#include <glisson/models/format/read_model.hpp>
-#include <glisson/models/format/schema.hpp>
 #include <stdexcept>
 
 namespace glisson::detail {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glisson/models/format/xml_tree.hpp>
+
 #include <span>
 #include <string>
 #include <string_view>

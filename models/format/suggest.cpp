@@ -1,6 +1,8 @@
-#include <algorithm>
 #include <glisson/models/format/suggest.hpp>
+
 #include <glisson/models/format/xml_tree.hpp>
+
+#include <algorithm>
 #include <numeric>
 
 namespace glisson::detail {

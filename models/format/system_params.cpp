@@ -1,7 +1,8 @@
 // SystemParams and Output: time settings, defaults of sections, what is written.
-#include <algorithm>
 #include <glisson/models/format/reader.hpp>
 #include <glisson/models/format/suggest.hpp>
+
+#include <algorithm>
 
 namespace glisson::detail {
 namespace {

@@ -1,9 +1,10 @@
+#include <glisson/models/format/xml_tree.hpp>
+
 #include <tinyxml2.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <glisson/models/format/xml_tree.hpp>
 #include <limits>
 
 namespace glisson::detail {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <glisson/core/base/error.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>

@@ -2,6 +2,7 @@
 // the usual one.
 #include <glisson/models/format/read_model.hpp>
 #include <glisson/models/format/schema.hpp>
+
 #include <sstream>
 
 namespace glisson {

@@ -1,7 +1,9 @@
+#include <glisson/models/selection/distance.hpp>
+
+#include <glisson/core/base/error.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <glisson/core/base/error.hpp>
-#include <glisson/models/selection/distance.hpp>
 
 namespace glisson {
 namespace {

@@ -2,9 +2,10 @@
 // neighbour.
 #pragma once
 
+#include <glisson/core/mesh/mesh.hpp>
+
 #include <array>
 #include <cstdint>
-#include <glisson/core/mesh/mesh.hpp>
 #include <vector>
 
 namespace glisson {

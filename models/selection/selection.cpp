@@ -1,7 +1,9 @@
+#include <glisson/models/selection/selection.hpp>
+
+#include <glisson/core/mesh/surface.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <glisson/core/mesh/surface.hpp>
-#include <glisson/models/selection/selection.hpp>
 #include <numbers>
 
 namespace glisson {

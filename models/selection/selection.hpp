@@ -2,9 +2,10 @@
 // distance, combined by and, or, not. All in the rest configuration.
 #pragma once
 
-#include <array>
 #include <glisson/core/mesh/mesh.hpp>
 #include <glisson/models/selection/distance.hpp>
+
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+
 #include <glisson/core/mesh/surface.hpp>
 
 namespace glisson {

@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
+
 #include <glisson/core/base/error.hpp>
 #include <glisson/core/mesh/surface.hpp>
 #include <glisson/core/model.hpp>
-#include <limits>
 
 namespace glisson {
 namespace {

@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <glisson/core/base/error.hpp>
-#include <glisson/models/format/read_model.hpp>
 #include <string>
 #include <vector>
+
+#include <glisson/core/base/error.hpp>
+#include <glisson/models/format/read_model.hpp>
 
 namespace glisson::test {
 

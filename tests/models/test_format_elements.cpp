@@ -1,7 +1,8 @@
 // Every element and attribute of the format at least once, and its meaning in the model.
+#include <tests/models/format_base.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <tests/models/format_base.hpp>
 
 namespace glisson::test {
 namespace {

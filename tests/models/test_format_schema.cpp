@@ -1,12 +1,14 @@
 // The grammar: suggestions, the list of names, the XML schema for editors.
+#include <tests/models/format_base.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+
 #include <glisson/models/format/schema.hpp>
 #include <glisson/models/format/suggest.hpp>
-#include <sstream>
-#include <tests/models/format_base.hpp>
 
 namespace glisson::test {
 namespace {

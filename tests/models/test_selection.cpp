@@ -2,11 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+
 #include <glisson/core/base/error.hpp>
 #include <glisson/core/mesh/box_mesh.hpp>
 #include <glisson/core/mesh/surface.hpp>
 #include <glisson/models/selection/selection.hpp>
-#include <random>
 
 namespace glisson {
 namespace {
