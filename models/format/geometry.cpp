@@ -1,7 +1,9 @@
 // Nodes, Elements and mesh files of one level.
-#include <cmath>
 #include <glisson/models/format/reader.hpp>
 #include <glisson/models/format/suggest.hpp>
+#include <glisson/models/mesh/transform.hpp>
+
+#include <cmath>
 
 namespace glisson::detail {
 namespace {
@@ -86,33 +88,21 @@ void keep_shapes(const FormulationChoice& choice, Mesh& mesh) {
   mesh = std::move(kept);
 }
 
-/// x' = s (Rx Ry Rz (x - c) + c) + t, angles in degrees: the order of NiftySim.
-void transform(const XmlElement& element, Mesh& mesh) {
+Transform transform_in(const XmlElement& element) {
+  Transform transform;
   if (const auto rotation = element.child("Rotation")) {
     const auto v = rotation->numbers(6);
-    const Vec3<double> centre{v[0], v[1], v[2]};
-    const double degree = std::acos(-1.0) / 180;
-    const double ca = std::cos(v[3] * degree), sa = std::sin(v[3] * degree), cb = std::cos(v[4] * degree),
-                 sb = std::sin(v[4] * degree), cc = std::cos(v[5] * degree), sc = std::sin(v[5] * degree);
-    for (auto& X : mesh.X) {
-      Vec3<double> x = X - centre;
-      x = {cc * x.x - sc * x.y, sc * x.x + cc * x.y, x.z};
-      x = {cb * x.x + sb * x.z, x.y, -sb * x.x + cb * x.z};
-      x = {x.x, ca * x.y - sa * x.z, sa * x.y + ca * x.z};
-      X = x + centre;
-    }
+    transform.centre = {v[0], v[1], v[2]};
+    transform.angles = {v[3], v[4], v[5]};
   }
   if (const auto scale = element.child("ScaleFactor")) {
-    const double factor = scale->number();
-    if (!(factor > 0))
+    transform.scale = scale->number();
+    if (!(transform.scale > 0))
       scale->fail("a scale factor of " + scale->text() +
                   " would turn the mesh inside out or flat; use a positive one");
-    for (auto& X : mesh.X) X = factor * X;
   }
-  if (const auto translation = element.child("Translation")) {
-    const auto offset = vector_of(*translation);
-    for (auto& X : mesh.X) X = X + offset;
-  }
+  if (const auto translation = element.child("Translation")) transform.translation = vector_of(*translation);
+  return transform;
 }
 
 void read_mesh_file(const Reader& reader, const XmlElement& element, Part& part, FormulationChoice& choice) {
@@ -124,7 +114,7 @@ void read_mesh_file(const Reader& reader, const XmlElement& element, Part& part,
   if (mesh.element_count() == 0)
     element.fail("the file has no element of Type=\"" + (type != nullptr ? type->value : "AUTO") +
                  "\"; choose a Type that it holds");
-  transform(element, mesh);
+  transform_nodes(transform_in(element), mesh.X);
 }
 
 /// A tetrahedron in the other orientation is the same body; NiftySim takes both.

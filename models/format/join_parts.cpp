@@ -1,10 +1,10 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <glisson/models/format/join_parts.hpp>
+
+#include <glisson/models/mesh/transform.hpp>
+
+#include <algorithm>
+#include <cstdint>
 #include <limits>
-#include <unordered_map>
 
 namespace glisson::detail {
 namespace {
@@ -81,47 +81,6 @@ void append_mesh(Mesh& to, const Mesh& from) {
     to.add_element(from.shape[static_cast<std::size_t>(e)], from.element(e));
 }
 
-/// Nodes in cells of the merging distance; a node's partners are in its own and the 26 cells around it.
-class NodeGrid {
- public:
-  explicit NodeGrid(double cell) : cell_(cell) {}
-
-  void add(int n, const Vec3<double>& x) { cells_[key(cell_of(x))].push_back(n); }
-
-  template <class Body>
-  void for_each_near(const Vec3<double>& x, Body body) const {
-    const auto centre = cell_of(x);
-    for (std::int64_t k = -1; k <= 1; ++k)
-      for (std::int64_t j = -1; j <= 1; ++j)
-        for (std::int64_t i = -1; i <= 1; ++i) {
-          const auto found = cells_.find(key({centre[0] + i, centre[1] + j, centre[2] + k}));
-          if (found == cells_.end()) continue;
-          for (const int n : found->second) body(n);
-        }
-  }
-
- private:
-  using Cell = std::array<std::int64_t, 3>;
-  Cell cell_of(const Vec3<double>& x) const {
-    return {std::llround(x.x / cell_), std::llround(x.y / cell_), std::llround(x.z / cell_)};
-  }
-  /// A hash: cells that share one are only slower, distances decide.
-  static std::uint64_t key(const Cell& c) {
-    const auto u = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
-    return u(c[0]) * 0x9E3779B97F4A7C15U ^ u(c[1]) * 0xC2B2AE3D27D4EB4FU ^ u(c[2]) * 0x165667B19E3779F9U;
-  }
-  double cell_;
-  std::unordered_map<std::uint64_t, std::vector<int>> cells_;
-};
-
-void check_range(const std::vector<Vec3<double>>& X, double distance, const XmlElement& place) {
-  for (const auto& x : X)
-    if (std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}) / distance > 1e15)
-      place.fail(
-          "the distance is too small for coordinates of this size; no two different nodes could be that "
-          "near");
-}
-
 /// Lists name a merged node once; values that belong to a dropped entry go with it.
 template <class... Values>
 void renumber(std::vector<int>& nodes, const std::vector<int>& number, std::vector<Values>&... values) {
@@ -158,35 +117,6 @@ void renumber_lists(Model& model, const std::vector<int>& number) {
   for (auto& c : model.tractions) on_facets(c.facets);
 }
 
-/// Moves the first node that got each number to its place; numbers grow with the nodes, so nothing is
-/// overwritten early.
-template <class T>
-void keep_first(const std::vector<int>& number, std::size_t components, std::vector<T>& values) {
-  int next = 0;
-  for (std::size_t n = 0; n < number.size(); ++n) {
-    if (number[n] != next) continue;
-    for (std::size_t c = 0; c < components; ++c)
-      values[static_cast<std::size_t>(next) * components + c] = values[n * components + c];
-    ++next;
-  }
-  values.resize(static_cast<std::size_t>(next) * components);
-}
-
-void renumber_mesh(Mesh& mesh, const std::vector<int>& number, const XmlElement& place) {
-  for (auto& n : mesh.nodes) n = number[static_cast<std::size_t>(n)];
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.element(e);
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b)
-        if (nodes[a] == nodes[b])
-          place.fail("the distance is larger than an edge of element " + std::to_string(e) +
-                     ", which would collapse; make it smaller");
-  }
-  keep_first(number, 1, mesh.X);
-  for (auto& [name, array] : mesh.point_arrays)
-    keep_first(number, static_cast<std::size_t>(array.components), array.values);
-}
-
 }  // namespace
 
 void append(Part& whole, Part part) {
@@ -209,30 +139,15 @@ void append(Part& whole, Part part) {
   move_to_end(part.model.initial_velocities, whole.model.initial_velocities);
 }
 
-std::vector<int> merged_numbers(const std::vector<Vec3<double>>& X, double distance) {
-  NodeGrid grid(distance);
-  std::vector<int> number(X.size());
-  int kept = 0;
-  for (std::size_t n = 0; n < X.size(); ++n) {
-    int partner = -1;
-    grid.for_each_near(X[n], [&](int other) {
-      const auto d = X[n] - X[static_cast<std::size_t>(other)];
-      if (dot(d, d) < distance * distance && (partner < 0 || other < partner)) partner = other;
-    });
-    if (partner < 0) grid.add(static_cast<int>(n), X[n]);
-    number[n] = partner < 0 ? kept++ : number[static_cast<std::size_t>(partner)];
-  }
-  return number;
-}
-
 int merge_nodes(Part& part, double distance, const XmlElement& place) {
   Mesh& mesh = part.model.mesh;
-  check_range(mesh.X, distance, place);
-  const auto number = merged_numbers(mesh.X, distance);
-  const std::size_t old_count = mesh.X.size();
-  renumber_mesh(mesh, number, place);
-  renumber_lists(part.model, number);
-  return static_cast<int>(old_count - mesh.X.size());
+  const int old_count = mesh.node_count();
+  try {
+    renumber_lists(part.model, glisson::merge_nodes(mesh, distance));
+  } catch (const Error& error) {
+    place.fail(error.what());
+  }
+  return old_count - mesh.node_count();
 }
 
 }  // namespace glisson::detail
