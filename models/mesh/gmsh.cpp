@@ -129,6 +129,8 @@ void read_section(GmshReader& reader, const std::string& name) {
       nodes ? read_nodes_2(reader) : read_elements_2(reader);
   } else if (name == "Entities" && reader.is_version_4) {
     read_entities_4(reader);
+  } else if (name == "ParametricNodes") {
+    scanner.fail("parametric nodes are not supported. Save the mesh without them (Mesh.SaveParametric = 0)");
   } else if (name == "NodeData" || name == "ElementData") {
     read_data(reader, name == "NodeData");
   } else {
