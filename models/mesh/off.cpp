@@ -47,6 +47,7 @@ RawMesh parse_off(std::string_view text, const std::string& file) {
     const auto count = scanner.checked_count(
         scanner.integer_of(first_token(scanner, "the number of vertices"), "the number of vertices"),
         "number of vertices", 2);
+    if (count == 0) scanner.fail("a facet without vertices; a count in the header may be wrong");
     nodes.clear();
     for (std::int64_t i = 0; i < count; ++i)
       nodes.push_back(scanner.checked_index(scanner.integer("a vertex"), vertices, "vertex"));

@@ -14,8 +14,6 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr std::size_t any_count = std::string::npos;
-
 const XMLElement& required_child(const XmlData& data, const XMLElement& parent, const char* name) {
   const auto* child = parent.FirstChildElement(name);
   if (child == nullptr) data.fail(parent, std::string("<") + name + "> is missing in it");

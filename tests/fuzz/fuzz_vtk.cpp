@@ -1,0 +1,6 @@
+// Any bytes given to the reader of VTK files.
+#include <tests/fuzz/mesh_input.hpp>
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  return glisson::test::try_mesh(data, size, glisson::MeshFormat::vtk);
+}
