@@ -5,16 +5,17 @@
 
 namespace glisson {
 
-/// Uniform gradient and hourglass stiffness (Flanagan & Belytschko 1981; Joldes et al. 2008). Everything is written in the 7 modes of the
-/// hexahedron that are not translations: 3 linear ones Lambda_i = (xi_a, eta_a, zeta_a) and 4 hourglass ones h_m, which a
-/// Walsh-Hadamard transform finds with additions only.
+/// Uniform gradient and hourglass stiffness (Flanagan & Belytschko 1981; Joldes et al. 2008). Everything is
+/// written in the 7 modes of the hexahedron that are not translations: 3 linear ones Lambda_i = (xi_a, eta_a,
+/// zeta_a) and 4 hourglass ones h_m, which a Walsh-Hadamard transform finds with additions only.
 ///   gradient vectors   B_j = sum_i Lambda_i beta_ij + sum_m h_m eta_mj,   H = sum_a u_a B_a
 ///   hourglass vectors  gamma_m = h_m - sum_j chi_mj B_j with chi_mj = h_m . X_j,   q_m = gamma_m . u
 ///   forces             f_a = -V P B_a - k sum_m gamma_ma q_m
-/// gamma is orthogonal to every linear field, so q vanishes for x = R X + t and turns with the element otherwise: the energy
-/// k |q|^2 / 2 does not see rotations, although k and gamma are those of the rest state.
-/// Formulation h8 takes the mean gradient and the exact volume: it passes the patch test on any hexahedron. h8_fixed takes the gradient
-/// at the centre and 8 det J (eta = 0), as NiftySim does; both are the same for parallelepipeds.
+/// gamma is orthogonal to every linear field, so q vanishes for x = R X + t and turns with the element
+/// otherwise: the energy k |q|^2 / 2 does not see rotations, although k and gamma are those of the rest
+/// state. Formulation h8 takes the mean gradient and the exact volume: it passes the patch test on any
+/// hexahedron. h8_fixed takes the gradient at the centre and 8 det J (eta = 0), as NiftySim does; both are
+/// the same for parallelepipeds.
 struct H8 {
   static constexpr int node_count = 8;
   static constexpr int point_count = 1;
@@ -30,7 +31,8 @@ struct H8 {
   };
 
   template <class R>
-  GLISSON_HD static Mat3<R> gradient_of_modes(const Constants<R>& c, const Vec3<R> (&d)[3], const Vec3<R> (&h)[4]) {
+  GLISSON_HD static Mat3<R> gradient_of_modes(const Constants<R>& c, const Vec3<R> (&d)[3],
+                                              const Vec3<R> (&h)[4]) {
     Mat3<R> H;
     for (int j = 0; j < 3; ++j) {
       auto column = [&](auto get) {
@@ -55,7 +57,8 @@ struct H8 {
   }
 
   template <class R, class Stress>
-  GLISSON_HD static void forces(const Constants<R>& c, const Vec3<R> (&u)[8], const Stress& stress, Vec3<R> (&f)[8]) {
+  GLISSON_HD static void forces(const Constants<R>& c, const Vec3<R> (&u)[8], const Stress& stress,
+                                Vec3<R> (&f)[8]) {
     Vec3<R> d[3], h[4];
     hexahedron_modes(u, d, h);
     const Mat3<R> H = gradient_of_modes(c, d, h);
@@ -101,15 +104,19 @@ struct H8 {
     return R(0.5) * c.hourglass * sum;
   }
 
-  /// stiffness: coefficient times (lambda + 2 mu) [Pa]; k = stiffness V sum_a |B_a|^2 / 8 (Flanagan & Belytschko 1981, eq. 76).
-  static Constants<double> make(const Vec3<double> (&X)[8], double stiffness) { return from(X, mean_gradient(X), stiffness); }
+  /// stiffness: coefficient times (lambda + 2 mu) [Pa]; k = stiffness V sum_a |B_a|^2 / 8 (Flanagan &
+  /// Belytschko 1981).
+  static Constants<double> make(const Vec3<double> (&X)[8], double stiffness) {
+    return from(X, mean_gradient(X), stiffness);
+  }
   /// With the gradient of the centre and 8 det J, but k from the exact volume, as NiftySim has it.
   static Constants<double> make_fixed(const Vec3<double> (&X)[8], double stiffness) {
     return from(X, centre_gradient(X), stiffness);
   }
 
  private:
-  static Constants<double> from(const Vec3<double> (&X)[8], const HexahedronGradient& gradient, double stiffness) {
+  static Constants<double> from(const Vec3<double> (&X)[8], const HexahedronGradient& gradient,
+                                double stiffness) {
     Constants<double> c{};
     double squares = 0;
     for (int j = 0; j < 3; ++j) {

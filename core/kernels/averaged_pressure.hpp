@@ -25,11 +25,11 @@ struct ElementPressure {
 /// Between the sweeps: the volume-weighted mean over the elements of a node, whatever set they belong to.
 template <class R>
 struct NodalPressure {
-  const int* begin;         ///< [mesh node_count + 1]
-  const int* element;       ///< place in element_pressure [begin.back()]
-  const R* weight;          ///< V_e / sum of V at the node [-]  [begin.back()]
+  const int* begin;    ///< [mesh node_count + 1]
+  const int* element;  ///< place in element_pressure [begin.back()]
+  const R* weight;     ///< V_e / sum of V at the node [-]  [begin.back()]
   const R* element_pressure;
-  R* nodal_pressure;        ///< [Pa]  [mesh node_count]
+  R* nodal_pressure;  ///< [Pa]  [mesh node_count]
   GLISSON_HD void operator()(int n) const {
     R sum = R(0);
     for (int k = begin[n]; k < begin[n + 1]; ++k) sum = sum + weight[k] * element_pressure[element[k]];
@@ -74,6 +74,10 @@ struct AveragedForces {
   }
 };
 
+/// V (W(Fm) + kappa/2 (Jm - 1)(J - Jm)). The second term makes the pressure work on the nodal means: for one
+/// kappa the volumetric part sums to that of the nodes, sum_a V_a kappa/2 (J_a - 1)^2, of which the forces
+/// are the derivative up to factors (Jm/J)^(1/3). W(Fm) alone is less, because each element smooths once
+/// more.
 template <class R, class L>
 struct AveragedEnergy {
   BlockView<R> block;
@@ -83,8 +87,14 @@ struct AveragedEnergy {
     gather<R, T4>(block.nodes, e, now.u, u_e);
     const L law = law_of<R, L>(block, e);
     const auto& c = static_cast<const T4::Constants<R>*>(block.constants)[e];
-    const Mat3<R> H = averaged_gradient(T4::displacement_gradient(c, u_e), averaged_volume(block, law, e));
-    block.energy[e] = double(c.volume) * double(law.energy(H));
+    const Mat3<R> H = T4::displacement_gradient(c, u_e);
+    const R Jm_minus_1 = averaged_volume(block, law, e);
+    Mat3<R> D;
+    R J_minus_1;
+    volume_terms(H, D, J_minus_1);
+    const R volumetric = R(0.5) * law.bulk_modulus() * Jm_minus_1 * (J_minus_1 - Jm_minus_1);
+    block.energy[e] =
+        double(c.volume) * (double(law.energy(averaged_gradient(H, Jm_minus_1))) + double(volumetric));
   }
 };
 

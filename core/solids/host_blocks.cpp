@@ -13,15 +13,17 @@ namespace glisson {
 namespace {
 
 bool same_terms(const std::vector<PronyTerm>& a, const std::vector<PronyTerm>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const PronyTerm& x, const PronyTerm& y) { return x.alpha == y.alpha && x.tau == y.tau; });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const PronyTerm& x, const PronyTerm& y) {
+    return x.alpha == y.alpha && x.tau == y.tau;
+  });
 }
 
 template <class R>
 bool belongs(const HostBlock<R>& block, const Section& section) {
   const MaterialSpec& m = section.material;
   const std::size_t isochoric = static_cast<std::size_t>(block.isochoric_count);
-  if (block.formulation != section.formulation || block.law != m.law || isochoric != m.isochoric.size()) return false;
+  if (block.formulation != section.formulation || block.law != m.law || isochoric != m.isochoric.size())
+    return false;
   std::vector<PronyTerm> terms = m.isochoric;
   terms.insert(terms.end(), m.volumetric.begin(), m.volumetric.end());
   return same_terms(block.prony, terms);
@@ -33,7 +35,8 @@ HostBlock<R> empty_block(const Section& section) {
   block.formulation = section.formulation;
   block.law = section.material.law;
   block.prony = section.material.isochoric;
-  block.prony.insert(block.prony.end(), section.material.volumetric.begin(), section.material.volumetric.end());
+  block.prony.insert(block.prony.end(), section.material.volumetric.begin(),
+                     section.material.volumetric.end());
   block.isochoric_count = static_cast<int>(section.material.isochoric.size());
   block.nodes_per_element = node_count_of(shape_of(section.formulation));
   block.point_count = section.formulation == Formulation::h8_full ? H8Full::point_count : 1;
@@ -70,7 +73,8 @@ void append_element(HostBlock<R>& block, const Mesh& mesh, int e, double stiffne
   }
 }
 
-/// Where each element of the mesh stands: its section, its place there, its block and its first history value.
+/// Where each element of the mesh stands: its section, its place there, its block and its first history
+/// value.
 struct Location {
   int section = -1, place = 0, block = -1;
   std::size_t history = 0;
@@ -82,11 +86,12 @@ std::vector<Location> locate(const Model& model, std::vector<HostBlock<R>>& bloc
   std::size_t history = 0;
   for (std::size_t s = 0; s < model.sections.size(); ++s) {
     const Section& section = model.sections[s];
-    auto block = std::find_if(blocks.begin(), blocks.end(), [&](const auto& b) { return belongs(b, section); });
+    auto block =
+        std::find_if(blocks.begin(), blocks.end(), [&](const auto& b) { return belongs(b, section); });
     if (block == blocks.end()) block = blocks.insert(blocks.end(), empty_block<R>(section));
     for (std::size_t k = 0; k < section.elements.size(); ++k) {
-      locations[static_cast<std::size_t>(section.elements[k])] = {static_cast<int>(s), static_cast<int>(k),
-                                                                  static_cast<int>(block - blocks.begin()), history};
+      locations[static_cast<std::size_t>(section.elements[k])] = {
+          static_cast<int>(s), static_cast<int>(k), static_cast<int>(block - blocks.begin()), history};
       history += block->prony.size() * 6 * static_cast<std::size_t>(block->point_count);
     }
   }
@@ -117,13 +122,15 @@ std::vector<HostBlock<R>> make_host_blocks(const Model& model, const Numbering& 
   for (const int e : numbering.element_order) {
     const Location& at = locations[static_cast<std::size_t>(e)];
     if (at.section < 0)
-      throw Error(ErrorKind::input, "Element " + std::to_string(e) + " is in no section. Give every element a material.");
+      throw Error(ErrorKind::input,
+                  "Element " + std::to_string(e) + " is in no section. Give every element a material.");
     HostBlock<R>& block = blocks[static_cast<std::size_t>(at.block)];
     const Section& section = model.sections[static_cast<std::size_t>(at.section)];
     element_parameters(section, static_cast<std::size_t>(at.place), parameters);
     append_element(block, model.mesh, e, hourglass_stiffness(section, parameters));
     for (const double p : parameters) block.parameters.push_back(R(p));
-    for (const int n : model.mesh.element(e)) block.nodes.push_back(numbering.internal_of_user[static_cast<std::size_t>(n)]);
+    for (const int n : model.mesh.element(e))
+      block.nodes.push_back(numbering.internal_of_user[static_cast<std::size_t>(n)]);
     if (block.viscous()) block.history_place.push_back(at.history);
     ++block.element_count;
   }
@@ -142,7 +149,8 @@ Incidence make_incidence(const std::vector<HostBlock<R>>& blocks, int node_count
   std::vector<int> next(lists.begin.begin(), lists.begin.end() - 1);
   int slot = 0;
   for (const auto& block : blocks)
-    for (const int n : block.nodes) lists.slot[static_cast<std::size_t>(next[static_cast<std::size_t>(n)]++)] = slot++;
+    for (const int n : block.nodes)
+      lists.slot[static_cast<std::size_t>(next[static_cast<std::size_t>(n)]++)] = slot++;
   return lists;
 }
 
@@ -156,7 +164,8 @@ AverageLists<R> make_average_lists(const std::vector<HostBlock<R>>& blocks, int 
     for (const auto& block : blocks) {
       if (block.formulation == Formulation::t4anp)
         for (std::size_t i = 0; i < block.nodes.size(); ++i)
-          use(static_cast<std::size_t>(block.nodes[i]), first + static_cast<int>(i / 4), double(block.volumes[i / 4]));
+          use(static_cast<std::size_t>(block.nodes[i]), first + static_cast<int>(i / 4),
+              double(block.volumes[i / 4]));
       first += block.element_count;
     }
   };
@@ -193,16 +202,26 @@ std::vector<double> canonical_history(const std::vector<const HostBlock<R>*>& bl
   for (const auto* block : blocks) size += block->history_size();
   std::vector<double> history(size);
   for (std::size_t k = 0; k < blocks.size(); ++k)
-    visit_history(*blocks[k], [&](std::size_t own, std::size_t canonical) { history[canonical] = double(arrays[k][own]); });
+    visit_history(*blocks[k], [&](std::size_t own, std::size_t canonical) {
+      history[canonical] = double(arrays[k][own]);
+    });
   return history;
 }
 
 template <class R>
-std::vector<std::vector<R>> block_history(const std::vector<const HostBlock<R>*>& blocks, const std::vector<double>& history) {
+std::vector<std::vector<R>> block_history(const std::vector<const HostBlock<R>*>& blocks,
+                                          const std::vector<double>& history) {
+  std::size_t size = 0;
+  for (const auto* block : blocks) size += block->history_size();
+  if (history.size() != size)
+    throw Error(ErrorKind::input, std::to_string(history.size()) +
+                                      " values of material history for a model that has " +
+                                      std::to_string(size) + ": the saved state belongs to another model.");
   std::vector<std::vector<R>> arrays;
   for (const auto* block : blocks) {
     std::vector<R> array(block->history_size());
-    visit_history(*block, [&](std::size_t own, std::size_t canonical) { array[own] = R(history[canonical]); });
+    visit_history(*block,
+                  [&](std::size_t own, std::size_t canonical) { array[own] = R(history[canonical]); });
     arrays.push_back(std::move(array));
   }
   return arrays;
@@ -214,10 +233,13 @@ template Incidence make_incidence(const std::vector<HostBlock<float>>&, int);
 template Incidence make_incidence(const std::vector<HostBlock<double>>&, int);
 template AverageLists<float> make_average_lists(const std::vector<HostBlock<float>>&, int);
 template AverageLists<double> make_average_lists(const std::vector<HostBlock<double>>&, int);
-template std::vector<double> canonical_history(const std::vector<const HostBlock<float>*>&, const std::vector<std::vector<float>>&);
+template std::vector<double> canonical_history(const std::vector<const HostBlock<float>*>&,
+                                               const std::vector<std::vector<float>>&);
 template std::vector<double> canonical_history(const std::vector<const HostBlock<double>*>&,
                                                const std::vector<std::vector<double>>&);
-template std::vector<std::vector<float>> block_history(const std::vector<const HostBlock<float>*>&, const std::vector<double>&);
-template std::vector<std::vector<double>> block_history(const std::vector<const HostBlock<double>*>&, const std::vector<double>&);
+template std::vector<std::vector<float>> block_history(const std::vector<const HostBlock<float>*>&,
+                                                       const std::vector<double>&);
+template std::vector<std::vector<double>> block_history(const std::vector<const HostBlock<double>*>&,
+                                                        const std::vector<double>&);
 
 }  // namespace glisson
