@@ -42,6 +42,7 @@ struct StepReport {
   double added_mass = 0;     ///< by mass scaling, share of the mass [-]
   std::int64_t planned_steps = 0;  ///< to the end of the run; 0 in quasi-static mode
   std::string ending;              ///< quasi-static: "converged", "stalled: ...", "not converged: ..."; empty before the end
+  std::int64_t energies_every = 1;  ///< steps between two energy accounts
 };
 
 /// Every array is in the user's node and element numbering.

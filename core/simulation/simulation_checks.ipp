@@ -102,7 +102,7 @@ void Simulation<B, R>::fail(const Energies* unbalanced, double share) {
 template <Backend B, class R>
 StepReport Simulation<B, R>::report() const {
   return {plan_.dt(), stable_step_, limited_by_, parts_.added_mass, plan_.last_step(),
-          relaxation_ ? relaxation_->ending(step_) : std::string()};
+          relaxation_ ? relaxation_->ending(step_) : std::string(), monitor_every_};
 }
 
 template <Backend B, class R>

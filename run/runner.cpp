@@ -1,0 +1,305 @@
+#include <glisson/run/runner.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <new>
+#include <sstream>
+
+#include <glisson/core/base/error.hpp>
+#include <glisson/models/output/history_csv.hpp>
+#include <glisson/models/output/pvd_series.hpp>
+#include <glisson/models/output/text_writer.hpp>
+#include <glisson/run/checkpoint.hpp>
+#include <glisson/run/model_hash.hpp>
+
+namespace glisson {
+namespace {
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Adds the wall time of its life.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum), start_(now()) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() { sum_ += now() - start_; }
+
+ private:
+  double& sum_;
+  double start_;
+};
+
+const std::vector<std::string> history_columns{"time [s]",    "dt [s]",        "kinetic [J]",
+                                               "strain [J]",  "hourglass [J]", "viscous [J]",
+                                               "damping [J]", "external [J]",  "prescribed [J]",
+                                               "contact [J]", "imbalance [J]", "largest displacement [m]"};
+
+std::string text(double value) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out.precision(4);
+  out << value;
+  return out.str();
+}
+
+std::pair<double, int> largest(const std::vector<Vec3<double>>& u) {
+  double square = 0;
+  int node = u.empty() ? -1 : 0;
+  for (std::size_t n = 0; n < u.size(); ++n)
+    if (dot(u[n], u[n]) > square) square = dot(u[n], u[n]), node = static_cast<int>(n);
+  return {std::sqrt(square), node};
+}
+
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error || !std::filesystem::is_directory(directory))
+    throw Error(ErrorKind::run, "The output directory '" + directory.string() + "' cannot be made (" +
+                                    (error ? error.message() : "there is a file of that name") +
+                                    "). Choose another with -o.");
+}
+
+}  // namespace
+
+struct Runner::Files {
+  std::optional<PvdSeries> series;
+  std::optional<HistoryCsv> history;
+  std::optional<TextWriter> texts;
+};
+
+Runner::Runner(const Model& model, RunnerOptions options)
+    : model_(model), options_(std::move(options)), files_(std::make_unique<Files>()) {
+  if (!options_.text_prefix) options_.text_prefix = (options_.directory / "").string();
+}
+
+Runner::~Runner() = default;
+
+void Runner::log(LogLevel level, const std::string& line) const {
+  if (options_.log) options_.log(level, line);
+}
+
+bool Runner::run() {
+  summary_.model = model_.name;
+  summary_.units = model_.units;
+  summary_.node_count = model_.mesh.node_count();
+  summary_.element_count = model_.mesh.element_count();
+  summary_.total_time = model_.time.total;
+  summary_.warnings = options_.warnings;
+  summary_.timings.read = options_.read_seconds;
+  make_directory(options_.directory);
+  try {
+    const bool done = run_to_end();
+    finish(done ? "done" : "stopped", "");
+    return done;
+  } catch (const Error& error) {
+    try {
+      finish("failed", error.what());
+    } catch (const Error& second) {
+      log(LogLevel::warning, std::string("The summary could not be written either: ") + second.what());
+    }
+    throw;
+  }
+}
+
+bool Runner::run_to_end() {
+  try {
+    prepare();
+    return advance_to_end();
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::run,
+                "The memory of this machine is not enough for the run. Use a coarser mesh or single precision.");
+  }
+}
+
+void Runner::prepare() {
+  write_summary(options_.directory / "summary.json", summary_);
+  {
+    const Stopwatch watch(summary_.timings.set_up);
+    simulation_ = make_simulation(model_, options_.simulation);
+    hash_ = model_hash(model_);
+  }
+  summary_.device = simulation_->device();
+  if (options_.resume) {
+    const auto extras = read_checkpoint(options_.directory / "checkpoint.glisson", *simulation_, hash_);
+    summary_.timings.stepping = stepping_before_ = extras.stepping_seconds;
+    summary_.timings.output = extras.output_seconds;
+    log(LogLevel::info, "resumed at step " + std::to_string(simulation_->step_count()) +
+                            ", t = " + text(simulation_->time()) + " s");
+  }
+  first_step_ = simulation_->step_count();
+  const StepReport report = simulation_->report();
+  log(LogLevel::info, "device " + summary_.device);
+  log(LogLevel::info,
+      "time step " + text(report.dt) + " s (stable " + text(report.stable_step) + " s, limited by " +
+          report.limited_by + ")" +
+          (report.planned_steps > 0 ? ", " + std::to_string(report.planned_steps) + " steps" : ""));
+  if (report.added_mass > 0)
+    log(LogLevel::info, "mass scaling adds " + text(100 * report.added_mass) + " % mass");
+  if (report.planned_steps > 0 && report.dt > report.stable_step) {
+    summary_.warnings.push_back("The TimeStep of " + text(report.dt) + " s is above the stable step of " +
+                                text(report.stable_step) + " s; the run will probably diverge.");
+    log(LogLevel::warning, summary_.warnings.back());
+  }
+  open_files();
+}
+
+void Runner::open_files() {
+  const Stopwatch watch(summary_.timings.output);
+  const auto& directory = options_.directory;
+  const std::string stem = model_.name.empty() ? "result" : model_.name;
+  const double t = simulation_->time();
+  const auto& variables = model_.output.variables;
+  if (!options_.resume) {
+    files_->series.emplace(directory, stem);
+    files_->history.emplace(directory / "history.csv", history_columns);
+    if (!variables.empty()) files_->texts.emplace(*options_.text_prefix, variables);
+  } else {
+    files_->series.emplace(PvdSeries::resume(directory, stem, t));
+    files_->history.emplace(
+        HistoryCsv::resume(directory / "history.csv", history_columns, simulation_->step_count()));
+    if (!variables.empty()) files_->texts.emplace(TextWriter::resume(*options_.text_prefix, variables, t));
+  }
+  summary_.files = {files_->series->collection().string(), (directory / "history.csv").string(),
+                    (directory / "summary.json").string()};
+  for (const auto& variable : variables) summary_.files.push_back(*options_.text_prefix + variable + ".txt");
+}
+
+std::int64_t Runner::steps_until_event() const {
+  const std::int64_t step = simulation_->step_count();
+  const StepReport report = simulation_->report();
+  std::int64_t count = std::max<std::int64_t>(1, chunk_);
+  const auto until_multiple_of = [&](std::int64_t every) {
+    if (every > 0) count = std::min(count, every - step % every);
+  };
+  until_multiple_of(model_.output.every);
+  until_multiple_of(report.energies_every);
+  if (report.planned_steps > 0)
+    count = std::min(count, std::max<std::int64_t>(1, report.planned_steps - 1 - step));
+  return count;
+}
+
+/// One step whose energies are accounted, and the history line of the state before it.
+void Runner::account() {
+  const std::int64_t step = simulation_->step_count();
+  const double t = simulation_->time();
+  const auto u = simulation_->displacement();
+  simulation_->step();
+  const Energies e = simulation_->energies();
+  const double values[] = {t,
+                           simulation_->report().dt,
+                           e.kinetic,
+                           e.strain,
+                           e.hourglass,
+                           e.viscous,
+                           e.damping,
+                           e.external,
+                           e.prescribed,
+                           e.contact,
+                           e.imbalance(),
+                           largest(u).first};
+  files_->history->append(step, values);
+}
+
+bool Runner::advance_to_end() {
+  const auto every = model_.output.every;
+  double& stepping = summary_.timings.stepping;
+  last_checkpoint_ = now();
+  if (simulation_->step_count() == 0) snapshot(false);
+  while (!simulation_->finished()) {
+    if (stop_wanted()) {
+      checkpoint();
+      return false;
+    }
+    const StepReport report = simulation_->report();
+    const std::int64_t step = simulation_->step_count();
+    const double before = now();
+    {
+      const Stopwatch watch(stepping);
+      const bool last = report.planned_steps > 0 && step + 1 >= report.planned_steps;
+      if (step % report.energies_every == 0 || last)
+        account();
+      else
+        simulation_->step(steps_until_event());
+    }
+    const double taken = now() - before;
+    const auto steps = static_cast<double>(simulation_->step_count() - step);
+    chunk_ =
+        std::clamp<std::int64_t>(static_cast<std::int64_t>(0.05 * steps / std::max(taken, 1e-9)), 1, 10000);
+    const bool finished = simulation_->finished();
+    if (finished || (every > 0 && simulation_->step_count() % every == 0)) snapshot(true);
+    note_progress();
+    if (options_.checkpoint_seconds > 0 && now() - last_checkpoint_ > options_.checkpoint_seconds)
+      checkpoint();
+  }
+  return true;
+}
+
+/// The text files hold the states at multiples of Output/Freq only, as NiftySim writes them; without a Freq,
+/// the last one.
+void Runner::snapshot(bool with_text) {
+  const Stopwatch watch(summary_.timings.output);
+  const auto state = Snapshot::of(*simulation_);
+  files_->series->write(model_.mesh, state);
+  summary_.snapshots = static_cast<int>(files_->series->entries().size());
+  const auto every = model_.output.every;
+  const bool wanted = every == 0 || simulation_->step_count() % every == 0;
+  if (!files_->texts || !with_text || !wanted) return;
+  const Energies e = simulation_->energies();
+  files_->texts->write(state, e.kinetic, e.strain);
+}
+
+void Runner::checkpoint() {
+  const Stopwatch watch(summary_.timings.output);
+  const auto path = options_.directory / "checkpoint.glisson";
+  write_checkpoint(path, *simulation_, hash_, {summary_.timings.stepping, summary_.timings.output});
+  last_checkpoint_ = now();
+  log(LogLevel::debug,
+      "checkpoint at step " + std::to_string(simulation_->step_count()) + ": " + path.string());
+}
+
+void Runner::update_summary() {
+  summary_.peak_bytes = peak_memory();
+  if (!simulation_) return;
+  summary_.steps = simulation_->step_count();
+  summary_.time = simulation_->time();
+  summary_.report = simulation_->report();
+  summary_.energies = simulation_->energies();
+  summary_.residuals = simulation_->residuals();
+  std::tie(summary_.largest_displacement, summary_.largest_node) = largest(simulation_->displacement());
+  summary_.simulation_bytes = simulation_->memory_bytes();
+}
+
+void Runner::finish(const std::string& status, const std::string& message) {
+  {
+    const Stopwatch watch(summary_.timings.output);
+    summary_.status = status;
+    summary_.message = message;
+    if (files_->texts) files_->texts->finish(status == "stopped");
+    update_summary();
+  }
+  write_summary(options_.directory / "summary.json", summary_);
+  if (status != "done") return;
+  std::error_code ignored;  // a checkpoint of a finished run is of no use
+  std::filesystem::remove(options_.directory / "checkpoint.glisson", ignored);
+}
+
+void Runner::note_progress() {
+  const double t = now();
+  if (!options_.progress || t - last_progress_ < 0.2) return;
+  last_progress_ = t;
+  Progress progress;
+  progress.step = simulation_->step_count();
+  progress.planned = simulation_->report().planned_steps;
+  progress.time = simulation_->time();
+  const double seconds = summary_.timings.stepping - stepping_before_;
+  if (seconds > 0) progress.steps_per_second = static_cast<double>(progress.step - first_step_) / seconds;
+  if (progress.planned > 0 && progress.steps_per_second > 0)
+    progress.seconds_left = static_cast<double>(progress.planned - progress.step) / progress.steps_per_second;
+  options_.progress(progress);
+}
+
+}  // namespace glisson

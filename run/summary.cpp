@@ -1,0 +1,79 @@
+#include <glisson/run/summary.hpp>
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include <glisson/models/output/atomic_file.hpp>
+#include <glisson/version.hpp>
+
+namespace glisson {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json energies_of(const Energies& e) {
+  return {{"kinetic_J", e.kinetic},       {"strain_J", e.strain},   {"hourglass_J", e.hourglass},
+          {"viscous_J", e.viscous},       {"damping_J", e.damping}, {"external_J", e.external},
+          {"prescribed_J", e.prescribed}, {"contact_J", e.contact}, {"initial_J", e.initial},
+          {"imbalance_J", e.imbalance()}};
+}
+
+Json step_of(const RunSummary& s) {
+  Json step{{"count", s.steps},
+            {"planned", s.report.planned_steps},
+            {"dt_s", s.report.dt},
+            {"stable_dt_s", s.report.stable_step},
+            {"limited_by", s.report.limited_by},
+            {"added_mass_share", s.report.added_mass}};
+  if (!s.report.ending.empty()) step["ending"] = s.report.ending;
+  if (s.residuals[0] != 0 || s.residuals[1] != 0) step["residuals"] = s.residuals;
+  return step;
+}
+
+Json timings_of(const RunSummary& s) {
+  const RunTimings& t = s.timings;
+  const double steps = s.steps > 0 ? static_cast<double>(s.steps) : 1;
+  const double elements = s.element_count > 0 ? s.element_count : 1;
+  return {{"read_s", t.read},
+          {"set_up_s", t.set_up},
+          {"stepping_s", t.stepping},
+          {"output_s", t.output},
+          {"total_s", t.total()},
+          {"ms_per_step", 1e3 * t.stepping / steps},
+          {"ns_per_element_and_step", 1e9 * t.stepping / steps / elements}};
+}
+
+Json as_json(const RunSummary& s) {
+  Json j{{"program", "Glisson"}, {"version", version}, {"status", s.status}};
+  if (!s.message.empty()) j["message"] = s.message;
+  j["model"] = {
+      {"name", s.model}, {"units", s.units}, {"nodes", s.node_count}, {"elements", s.element_count}};
+  j["device"] = s.device;
+  j["time_s"] = s.time;
+  j["total_time_s"] = s.total_time;
+  j["steps"] = step_of(s);
+  j["largest_displacement"] = {{"value_m", s.largest_displacement}, {"node", s.largest_node}};
+  j["energies"] = energies_of(s.energies);
+  j["snapshots"] = s.snapshots;
+  j["timings"] = timings_of(s);
+  j["memory"] = {{"simulation_bytes", s.simulation_bytes}, {"peak_bytes", s.peak_bytes}};
+  j["warnings"] = s.warnings;
+  j["files"] = s.files;
+  return j;
+}
+
+}  // namespace
+
+void write_summary(const std::filesystem::path& path, const RunSummary& summary) {
+  const auto text = as_json(summary).dump(2, ' ', false, Json::error_handler_t::replace);
+  write_atomically(path, [&](std::ostream& out) { out << text << '\n'; });
+}
+
+std::size_t peak_memory() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace glisson
