@@ -13,10 +13,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json energies_of(const Energies& e) {
-  return {{"kinetic_J", e.kinetic},       {"strain_J", e.strain},   {"hourglass_J", e.hourglass},
-          {"viscous_J", e.viscous},       {"damping_J", e.damping}, {"external_J", e.external},
-          {"prescribed_J", e.prescribed}, {"contact_J", e.contact}, {"initial_J", e.initial},
-          {"imbalance_J", e.imbalance()}};
+  return {{"kinetic", e.kinetic},       {"strain", e.strain},   {"hourglass", e.hourglass},
+          {"viscous", e.viscous},       {"damping", e.damping}, {"external", e.external},
+          {"prescribed", e.prescribed}, {"contact", e.contact}, {"initial", e.initial},
+          {"imbalance", e.imbalance()}};
 }
 
 Json step_of(const RunSummary& s) {
@@ -53,7 +53,7 @@ Json as_json(const RunSummary& s) {
   j["time_s"] = s.time;
   j["total_time_s"] = s.total_time;
   j["steps"] = step_of(s);
-  j["largest_displacement"] = {{"value_m", s.largest_displacement}, {"node", s.largest_node}};
+  j["largest_displacement"] = {{"value", s.largest_displacement}, {"node", s.largest_node}};
   j["energies"] = energies_of(s.energies);
   j["snapshots"] = s.snapshots;
   j["timings"] = timings_of(s);

@@ -1,0 +1,141 @@
+// glisson bench: time of whole steps on box meshes, variants interleaved, medians, next to the bandwidth
+// measured in the same run.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <thread>
+
+#include <glisson/app/bandwidth.hpp>
+#include <glisson/app/box_case.hpp>
+#include <glisson/app/commands.hpp>
+#include <glisson/core/base/error.hpp>
+#include <glisson/models/format/suggest.hpp>
+#include <glisson/models/output/atomic_file.hpp>
+#include <glisson/version.hpp>
+
+namespace glisson::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+const std::vector<BoxCase>& variants() {
+  static const std::vector<BoxCase> list{
+      {.name = "T4", .formulation = Formulation::t4},
+      {.name = "T4ANP", .formulation = Formulation::t4anp},
+      {.name = "H8", .formulation = Formulation::h8},
+      {.name = "T4-viscous", .formulation = Formulation::t4, .viscous = true},
+  };
+  return list;
+}
+
+std::vector<BoxCase> chosen(const std::vector<std::string>& names) {
+  if (names.empty()) return variants();
+  std::vector<BoxCase> result;
+  std::vector<std::string> known;
+  for (const auto& v : variants()) known.push_back(v.name);
+  for (const auto& name : names) {
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end())
+      throw Error(ErrorKind::usage,
+                  "There is no bench case '" + name + "'" + detail::suggestion(name, known));
+    result.push_back(variants()[static_cast<std::size_t>(found - known.begin())]);
+  }
+  return result;
+}
+
+/// One variant at one size, kept alive so that variants take turns.
+struct Entry {
+  BoxCase variant;
+  std::unique_ptr<Model> model;
+  std::unique_ptr<AnySimulation> simulation;
+  std::int64_t steps_per_turn = 1;
+  std::vector<double> seconds_per_step;
+  double set_up = 0;  ///< [s]
+
+  double run(std::int64_t steps) {
+    const auto start = Clock::now();
+    simulation->step(steps);
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  double median() {
+    std::sort(seconds_per_step.begin(), seconds_per_step.end());
+    return seconds_per_step[seconds_per_step.size() / 2];
+  }
+};
+
+Entry prepare(const BoxCase& variant, int elements, const BenchArguments& arguments) {
+  Entry entry;
+  entry.variant = variant;
+  entry.model = std::make_unique<Model>(box_model(variant, elements, 100));  // never ends within the bench
+  SimulationOptions options;
+  options.device = arguments.device;
+  options.threads = arguments.threads;
+  const auto start = Clock::now();
+  entry.simulation = make_simulation(*entry.model, options);
+  entry.set_up = std::chrono::duration<double>(Clock::now() - start).count();
+  const double once = entry.run(3) / 3;  // warm-up
+  entry.steps_per_turn =
+      std::clamp<std::int64_t>(static_cast<std::int64_t>(0.05 * arguments.seconds / once), 1, 100000);
+  entry.run(entry.steps_per_turn);
+  return entry;
+}
+
+nlohmann::ordered_json result_of(Entry& entry, double bandwidth) {
+  const double step = entry.median();
+  const int elements = entry.model->mesh.element_count();
+  const double best = entry.seconds_per_step.front();
+  const auto bytes = static_cast<double>(entry.simulation->memory_bytes());
+  fmt::print("{:<12} {:>9} {:>10.4f} {:>8.2f} {:>8.2f} {:>9} {:>8.0f} % {:>8.2f}\n", entry.variant.name,
+             elements, 1e3 * step, 1e9 * step / elements, 1e9 * best / elements,
+             static_cast<long>(bytes / elements), 100 * bytes / step / bandwidth, entry.set_up);
+  return {{"case", entry.variant.name},
+          {"elements", elements},
+          {"nodes", entry.model->mesh.node_count()},
+          {"device", entry.simulation->device()},
+          {"ms_per_step", 1e3 * step},
+          {"ns_per_element_and_step", 1e9 * step / elements},
+          {"ns_per_element_and_step_best", 1e9 * best / elements},
+          {"array_bytes", bytes},
+          {"share_of_bandwidth", bytes / step / bandwidth},
+          {"set_up_s", entry.set_up},
+          {"turns", entry.seconds_per_step.size()}};
+}
+
+}  // namespace
+
+int bench(const BenchArguments& arguments) {
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const auto list = chosen(arguments.cases);
+  const double bandwidth = measured_bandwidth(arguments.threads > 0 ? arguments.threads : cores);
+  fmt::print(
+      "memory bandwidth {:.1f} GB/s; share: bytes of all arrays, each once per step, over time and "
+      "bandwidth\n",
+      bandwidth / 1e9);
+  fmt::print("{:<12} {:>9} {:>10} {:>8} {:>8} {:>9} {:>10} {:>8}\n", "case", "elements", "ms/step", "ns/el",
+             "best", "bytes/el", "share", "set-up s");
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  for (const int size : arguments.sizes) {
+    std::vector<Entry> entries;
+    for (const auto& variant : list) entries.push_back(prepare(variant, size, arguments));
+    for (int turn = 0; turn < 20; ++turn)
+      for (auto& e : entries)
+        e.seconds_per_step.push_back(e.run(e.steps_per_turn) / static_cast<double>(e.steps_per_turn));
+    for (auto& entry : entries) results.push_back(result_of(entry, bandwidth));
+  }
+  if (arguments.json.empty()) return exit_done;
+  const nlohmann::ordered_json all{{"version", version},
+                                   {"threads", arguments.threads > 0 ? arguments.threads : cores},
+                                   {"bandwidth_bytes_per_s", bandwidth},
+                                   {"results", results}};
+  const auto folder = std::filesystem::path(arguments.json).parent_path();
+  if (!folder.empty()) std::filesystem::create_directories(folder);
+  write_atomically(arguments.json, [&](std::ostream& out) { out << all.dump(2) << '\n'; });
+  fmt::print("written: {}\n", arguments.json);
+  return exit_done;
+}
+
+}  // namespace glisson::app

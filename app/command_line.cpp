@@ -1,0 +1,202 @@
+#include <glisson/app/command_line.hpp>
+
+#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <map>
+
+#include <glisson/app/commands.hpp>
+#include <glisson/core/base/error.hpp>
+#include <glisson/models/format/suggest.hpp>
+#include <glisson/version.hpp>
+
+namespace glisson::app {
+namespace {
+
+/// The chosen subcommand with its arguments, once parsing is done.
+using Action = std::function<int()>;
+
+const std::map<std::string, Precision> precisions{{"single", Precision::single_precision},
+                                                  {"double", Precision::double_precision}};
+const std::map<std::string, LogLevel> log_levels{{"error", LogLevel::error},
+                                                 {"warning", LogLevel::warning},
+                                                 {"info", LogLevel::info},
+                                                 {"debug", LogLevel::debug}};
+
+void add_device(CLI::App& command, SimulationOptions& simulation) {
+  command.add_option("--device", simulation.device, "auto, cpu, serial, emulated, cuda or cuda:N")
+      ->capture_default_str();
+  command.add_option("--threads", simulation.threads, "worker threads; 0: one per core")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+  command.add_option("--precision", simulation.precision, "single or double")
+      ->transform(CLI::CheckedTransformer(precisions))
+      ->type_name("NAME");
+  command.add_option("--instruction-set", simulation.instruction_set, "auto, sse4.2, avx2 or avx512");
+}
+
+void add_run(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("run", "Run a simulation file");
+  auto a = std::make_shared<RunArguments>();
+  auto sport = std::make_shared<bool>(false), verbose = std::make_shared<bool>(false);
+  auto* file = command->add_option("file,-x,--xml", a->file, "simulation file")->required();
+  (void)file;
+  command->add_option("-o,--output", a->directory, "directory for the results (default results/NAME)");
+  add_device(*command, a->simulation);
+  command->add_flag("--resume", a->resume, "go on from the checkpoint in the output directory");
+  command->add_flag("--lenient", a->lenient, "unknown names in the file are warnings");
+  command->add_flag("-q,--quiet", a->quiet, "print errors only");
+  command->add_option("--log-level", a->log_level, "error, warning, info or debug")
+      ->transform(CLI::CheckedTransformer(log_levels))
+      ->type_name("NAME");
+  command
+      ->add_option("--checkpoint-minutes", a->checkpoint_minutes,
+                   "time between checkpoints; 0: only on Ctrl-C")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  auto* peer = command->add_option_group("Options of NiftySim, accepted with one dash too");
+  peer->add_flag("-v", *verbose, "print more");
+  peer->add_flag("-t", a->execution_time, "print the execution time");
+  peer->add_flag("--sport", *sport, "run on the GPU: --device cuda");
+  peer->add_option("--print", a->print, "NF, LNF, LNFS, ND, ES or EK after the run; repeatable")
+      ->check(CLI::IsMember({"NF", "LNF", "LNFS", "ND", "ES", "EK"}))
+      ->allow_extra_args(false);
+  peer->add_option("--output-prefix", a->text_prefix, "put before the names of U.txt and its like");
+  command->callback([=, &action] {
+    if (*sport && a->simulation.device == "auto") a->simulation.device = "cuda";
+    if (*verbose) a->log_level = LogLevel::debug;
+    action = [a] { return run(*a); };
+  });
+}
+
+void add_check(CLI::App& app, Action& action) {
+  auto* command =
+      app.add_subcommand("check", "Check a simulation file: mesh, units, time step, memory, run time");
+  auto a = std::make_shared<CheckArguments>();
+  command->add_option("file", a->file, "simulation file")->required();
+  command->add_flag("--lenient", a->lenient, "unknown names in the file are warnings");
+  command->add_flag("!--no-prediction", a->predict, "do not run steps to predict the run time");
+  add_device(*command, a->simulation);
+  command->callback([=, &action] { action = [a] { return check(*a); }; });
+}
+
+void add_mesh(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("mesh", "Make a mesh of a label image (.nii, .nii.gz, .inr, .inr.gz)");
+  auto a = std::make_shared<MeshArguments>();
+  command->add_option("image", a->image, "label image")->required();
+  command->add_option("-o,--output", a->output, "mesh file: .vtu, .vtk or .msh")->required();
+  command->add_option("--voxel", a->voxel, "edge of an element with its unit: 6mm, 0.5cm")->required();
+  command->add_option("--element", a->element, "T4 (six per voxel) or H8")
+      ->check(CLI::IsMember({"T4", "H8"}));
+  command->add_option("--labels", a->labels, "labels to mesh, separated by commas (default: all but 0)")
+      ->delimiter(',');
+  command->add_flag("--one-region", a->one_region, "the labels become one region");
+  command->add_flag("--largest-only", a->largest_only, "keep only the largest piece");
+  command->add_option("--scale", a->scale, "of the positions, which are in mm: 0.001 gives metres")
+      ->check(CLI::PositiveNumber);
+  command->callback([=, &action] { action = [a] { return mesh(*a); }; });
+}
+
+void add_convert(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("convert", "Convert a mesh between Gmsh, VTK, VTU and STL");
+  auto a = std::make_shared<ConvertArguments>();
+  command->add_option("input", a->input, "mesh file")->required();
+  command->add_option("output", a->output, "mesh file: .msh, .vtk, .vtu or .stl")->required();
+  command->add_flag("--text", a->text, "text instead of binary, where the format has both");
+  command->add_flag("--surface", a->surface, "read and write a surface (.stl)");
+  command->add_option("--scale", a->scale, "of the positions")->check(CLI::PositiveNumber);
+  command->callback([=, &action] { action = [a] { return convert(*a); }; });
+}
+
+void add_bench(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("bench", "Measure the time per step on box meshes");
+  auto a = std::make_shared<BenchArguments>();
+  command->add_option("--sizes", a->sizes, "numbers of elements, separated by commas")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 100'000'000));
+  command->add_option("--cases", a->cases, "variants, separated by commas (default: all)")->delimiter(',');
+  command->add_option("--threads", a->threads, "worker threads; 0: one per core")->check(CLI::Range(0, 1024));
+  command->add_option("--seconds", a->seconds, "for each variant and size")->check(CLI::Range(0.01, 600.0));
+  command->add_option("--device", a->device, "cpu, serial or cuda[:N]");
+  command->add_option("--json", a->json, "file for the results");
+  command->callback([=, &action] { action = [a] { return bench(*a); }; });
+}
+
+void add_small(CLI::App& app, Action& action) {
+  auto file = std::make_shared<std::string>();
+  auto* command = app.add_subcommand("info", "Describe a simulation file, a mesh or a label image");
+  command->add_option("file", *file, "file")->required();
+  command->callback([=, &action] { action = [file] { return info(*file); }; });
+  app.add_subcommand("devices", "List the devices of this machine")->callback([&] { action = devices; });
+  app.add_subcommand("selftest", "Compare all backends of this machine on small cases")->callback([&] {
+    action = selftest;
+  });
+}
+
+/// Adds the option that was probably meant.
+std::string explain(const CLI::App& app, const CLI::ParseError& error,
+                    const std::vector<std::string>& arguments) {
+  std::string text = error.what();
+  const CLI::App* command = &app;
+  std::vector<std::string> names;
+  for (const auto* subcommand : app.get_subcommands()) command = subcommand;
+  for (const auto* option : command->get_options()) {
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  for (const auto* group :
+       command->get_subcommands(static_cast<std::function<bool(const CLI::App*)>>(nullptr)))
+    for (const auto* option : group->get_options())
+      for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  if (command == &app)
+    for (const auto* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(subcommand->get_name());
+  for (const auto& argument : arguments) {
+    const std::string word = argument.substr(0, argument.find('='));
+    if (text.find(word) == std::string::npos || std::find(names.begin(), names.end(), word) != names.end())
+      continue;
+    const std::string near = detail::nearest(word, names);
+    if (!near.empty()) return text + "; did you mean " + near + "?";
+  }
+  return text + ". See glisson " + (command == &app ? "" : command->get_name() + " ") + "--help.";
+}
+
+}  // namespace
+
+std::vector<std::string> with_own_names(std::vector<std::string> arguments) {
+  const std::map<std::string, std::string> long_names{
+      {"-sport", "--sport"}, {"-print", "--print"}, {"-output-prefix", "--output-prefix"}};
+  for (auto& argument : arguments)
+    if (const auto found = long_names.find(argument); found != long_names.end()) argument = found->second;
+  const std::vector<std::string> peer{"-x", "-v", "-t", "--sport", "--print", "--output-prefix"};
+  if (!arguments.empty() && std::find(peer.begin(), peer.end(), arguments.front()) != peer.end())
+    arguments.insert(arguments.begin(), "run");
+  return arguments;
+}
+
+int parse_and_run(int argc, const char* const* argv) {
+  CLI::App app{"Glisson: deformation of soft tissue by explicit finite elements", "glisson"};
+  app.set_version_flag("--version", std::string("Glisson ") + version);
+  app.require_subcommand(1);
+  app.fallthrough(false);
+  Action action;
+  add_run(app, action);
+  add_check(app, action);
+  add_mesh(app, action);
+  add_convert(app, action);
+  add_bench(app, action);
+  add_small(app, action);
+  const auto arguments = with_own_names({argv + 1, argv + argc});
+  auto reversed = arguments;
+  std::reverse(reversed.begin(), reversed.end());
+  try {
+    app.parse(reversed);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    std::fprintf(stderr, "error: %s\n", explain(app, error, arguments).c_str());
+    return static_cast<int>(ErrorKind::usage);
+  }
+  return action();
+}
+
+}  // namespace glisson::app

@@ -1,0 +1,67 @@
+// What each subcommand is asked to do, and the function that does it; the result is the exit code.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glisson/run/runner.hpp>
+
+namespace glisson::app {
+
+/// 0 done, then the values of ErrorKind: 1 run failed, 2 usage, 3 bad input, 4 no such device; 130
+/// interrupted.
+constexpr int exit_done = 0, exit_interrupted = 130;
+
+struct RunArguments {
+  std::string file, directory;  ///< directory empty: results/NAME
+  SimulationOptions simulation;
+  bool resume = false, lenient = false, quiet = false, execution_time = false;
+  LogLevel log_level = LogLevel::info;
+  double checkpoint_minutes = 10;
+  std::vector<std::string> print;  ///< NF LNF LNFS ND ES EK
+  std::optional<std::string> text_prefix;
+};
+int run(const RunArguments& arguments);
+
+struct CheckArguments {
+  std::string file;
+  SimulationOptions simulation;
+  bool lenient = false;
+  bool predict = true;  ///< runs a few steps to predict the time of the run
+};
+int check(const CheckArguments& arguments);
+
+/// Of a simulation file, a mesh or a label image.
+int info(const std::string& file);
+
+struct MeshArguments {
+  std::string image, output, voxel, element = "T4";
+  std::vector<int> labels;
+  bool one_region = false, largest_only = false;
+  double scale = 1;
+};
+int mesh(const MeshArguments& arguments);
+
+struct ConvertArguments {
+  std::string input, output;
+  bool text = false, surface = false;
+  double scale = 1;
+};
+int convert(const ConvertArguments& arguments);
+
+int devices();
+
+struct BenchArguments {
+  std::vector<int> sizes{10'000, 100'000};  ///< elements
+  std::vector<std::string> cases;           ///< names of the variants; empty: all
+  int threads = 0;
+  double seconds = 1;  ///< for each variant and size
+  std::string json;    ///< file to write; empty: none
+  std::string device = "cpu";
+};
+int bench(const BenchArguments& arguments);
+
+int selftest();
+
+}  // namespace glisson::app
