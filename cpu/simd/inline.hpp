@@ -2,3 +2,5 @@
 #pragma once
 
 #define GLISSON_INLINE inline __attribute__((always_inline))
+/// Everything that this function calls is compiled into it.
+#define GLISSON_FLATTEN __attribute__((flatten))

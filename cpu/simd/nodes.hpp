@@ -78,10 +78,7 @@ GLISSON_INLINE Vec4<Pack<W>> load_nodes(const float* rows, const std::uint16_t* 
           shuffle_lanes<0, 1, 0, 1>(zw01, zw23), shuffle_lanes<2, 3, 2, 3>(zw01, zw23)};
 }
 
-/// Row of a lane within the W rows that store_nodes and store_scalars write.
-constexpr int row_of_lane(int lane, int width) { return lane % 4 * (width / 4) + lane / 4; }
-
-/// W rows x y z 0; lane l becomes row row_of_lane(l).
+/// W rows x y z 0; lane l becomes row_of_lane(l) of solids/patch.hpp.
 template <int W>
 GLISSON_INLINE void store_nodes(float* rows, const Vec3<Pack<W>>& a) {
   const auto lanes = std::make_index_sequence<W>();

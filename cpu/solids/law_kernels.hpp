@@ -7,7 +7,7 @@
 namespace glisson::detail {
 
 template <int W, class Stress>
-void stress_function(const void* H, const void* tile, void* P) {
+GLISSON_FLATTEN void stress_function(const void* H, const void* tile, void* P) {
   Stress::stress(*static_cast<const Mat3<Pack<W>>*>(H), *static_cast<const MaterialTile*>(tile),
                  *static_cast<Mat3<Pack<W>>*>(P));
 }

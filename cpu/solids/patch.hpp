@@ -10,6 +10,9 @@ namespace glisson::detail {
 constexpr int strip_length = 3;
 constexpr int strip_corners = strip_length + 3;
 
+/// Row of a lane within the W rows that store_nodes and store_scalars write.
+constexpr int row_of_lane(int lane, int width) { return lane % 4 * (width / 4) + lane / 4; }
+
 /// Consecutive local nodes whose forces are sums of equally many rows, so that the loop over rows does not mispredict.
 struct SumRun {
   std::uint16_t nodes, rows;

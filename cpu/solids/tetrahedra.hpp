@@ -71,7 +71,7 @@ GLISSON_INLINE Pack<W> mean_volume_change(const float* constants, Pack<W> pressu
 }
 
 template <int W, class Stress, bool averaged>
-void tetrahedron_forces(const Patch& patch, const Pass& pass) {
+GLISSON_FLATTEN void tetrahedron_forces(const Patch& patch, const Pass& pass) {
   using P = Pack<W>;
   const int history_stride = (pass.isochoric + pass.volumetric) * 6 * W;
   for (int tile = 0; tile < patch.tiles; ++tile) {
@@ -97,7 +97,7 @@ void tetrahedron_forces(const Patch& patch, const Pass& pass) {
 
 /// First sweep of T4ANP: kappa (J - 1) V at the corners.
 template <int W>
-void tetrahedron_pressures(const Patch& patch, const Pass& pass) {
+GLISSON_FLATTEN void tetrahedron_pressures(const Patch& patch, const Pass& pass) {
   using P = Pack<W>;
   for (int tile = 0; tile < patch.tiles; ++tile) {
     P sum[strip_corners];

@@ -1,0 +1,270 @@
+#include <glisson/cpu/solids/patch_builder.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glisson/cpu/solids/element_constants.hpp>
+#include <glisson/cpu/solids/strips.hpp>
+
+namespace glisson::detail {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Rows of a node are summed two at a time; an odd one is paired with a row of zeros.
+int even(int rows) { return rows + rows % 2; }
+
+int tiles_for(std::size_t items, int width) { return static_cast<int>((items + at(width) - 1) / at(width)); }
+
+/// Places in one block of memory, each aligned to a cache line.
+class Plan {
+ public:
+  template <class T>
+  std::size_t add(std::size_t count) {
+    const std::size_t place = bytes_;
+    bytes_ += (count * sizeof(T) + cache_line - 1) / cache_line * cache_line;
+    return place;
+  }
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+Layout layout_of(Formulation formulation) {
+  const int constants = constant_count_of(formulation);
+  switch (formulation) {
+    case Formulation::t4:
+    case Formulation::t4anp: return {strip_corners, strip_length, constants, 1, 256};
+    case Formulation::h8_full: return {8, 1, constants, 8, 256};
+    default: return {8, 1, constants, 1, 256};
+  }
+}
+
+PatchBuilder::PatchBuilder(const Model& model, const Numbering& numbering, const ElementParameters& parameters, int width,
+                           Arena& arena)
+    : model_(model), numbering_(numbering), parameters_(parameters), width_(width), arena_(arena),
+      valence_(model.mesh.X.size()), local_(model.mesh.X.size(), -1) {
+  for (const Section& section : model.sections)
+    for (const int e : section.elements)
+      for (const int n : model.mesh.element(e)) ++valence_[at(numbering.internal_of_user[at(n)])];
+}
+
+void PatchBuilder::add(Block& block, std::vector<int> elements, std::vector<Patch>& patches) {
+  const Layout layout = layout_of(block.formulation);
+  const auto items_per_patch = at(layout.items_per_patch);
+  const std::size_t window = items_per_patch * at(layout.elements_per_item);
+  block.first_patch = static_cast<int>(patches.size());
+  std::vector<int> candidates, left_over;
+  std::size_t next = 0;
+  while (next < elements.size() || !left_over.empty()) {
+    std::sort(left_over.begin(), left_over.end());
+    candidates = left_over;
+    const std::size_t old = candidates.size(), fresh = std::min(window - old, elements.size() - next);
+    candidates.insert(candidates.end(), elements.begin() + static_cast<std::ptrdiff_t>(next),
+                      elements.begin() + static_cast<std::ptrdiff_t>(next + fresh));
+    next += fresh;
+    std::vector<Item> items;
+    if (layout.elements_per_item == 1) {
+      for (const int e : candidates) {
+        Item item{{}, {e, -1, -1}, layout.corners, 0};
+        std::transform(model_.mesh.element(e).begin(), model_.mesh.element(e).end(), item.node.begin(),
+                       [&](int n) { return numbering_.internal_of_user[at(n)]; });
+        items.push_back(item);
+      }
+    } else {
+      items = tetrahedron_items(candidates);
+    }
+    // Strips that came out short get a second chance with the next elements, but only one: else they would stay for ever.
+    const std::span<const int> waited(candidates.data(), old);
+    for (Item& item : items) {
+      auto has_waited = [&](int e) { return std::binary_search(waited.begin(), waited.end(), e); };
+      item.urgency = std::any_of(item.element.begin(), item.element.end(), has_waited) ? 100 : item.corners;
+    }
+    left_over.clear();
+    if (items.size() > items_per_patch && next < elements.size()) {
+      std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) { return a.urgency > b.urgency; });
+      for (std::size_t i = items_per_patch; i < items.size(); ++i)
+        for (const int e : items[i].element)
+          if (e >= 0) left_over.push_back(e);
+      items.resize(items_per_patch);
+    }
+    add_patch(block, items, patches);
+  }
+  block.patch_count = static_cast<int>(patches.size()) - block.first_patch;
+}
+
+std::vector<Item> PatchBuilder::tetrahedron_items(std::span<const int> elements) {
+  std::vector<std::array<int, 4>> tetrahedra;
+  std::vector<int> internal;  // of a local node
+  for (const int e : elements) {
+    std::array<int, 4> nodes;
+    for (std::size_t a = 0; a < 4; ++a) {
+      const int n = numbering_.internal_of_user[at(model_.mesh.element(e)[a])];
+      if (local_[at(n)] < 0) {
+        local_[at(n)] = static_cast<int>(internal.size());
+        internal.push_back(n);
+      }
+      nodes[a] = local_[at(n)];
+    }
+    tetrahedra.push_back(nodes);
+  }
+  for (const int n : internal) local_[at(n)] = -1;
+  std::vector<Item> items;
+  for (const Strip& strip : build_strips(tetrahedra)) {
+    Item item;
+    item.corners = strip.corners();
+    for (std::size_t k = 0; k < 6; ++k) item.node[k] = internal[at(strip.node[k])];
+    for (std::size_t j = 0; j < 3; ++j) item.element[j] = strip.element[j] < 0 ? -1 : elements[at(strip.element[j])];
+    items.push_back(item);
+  }
+  return items;
+}
+
+std::vector<PatchBuilder::LocalNode> PatchBuilder::sorted_nodes(const Layout& layout, std::span<const Item> items,
+                                                                int& interior) {
+  std::vector<LocalNode> nodes;
+  for (const Item& item : items)
+    for (int k = 0; k < item.corners; ++k) {
+      int& local = local_[at(item.node[at(k)])];
+      if (local < 0) {
+        local = static_cast<int>(nodes.size());
+        nodes.push_back({item.node[at(k)], 0, 0});
+      }
+      LocalNode& node = nodes[at(local)];
+      ++node.rows;
+      const int elements = item.corners - (layout.elements_per_item == 1 ? 7 : 3);
+      for (int j = 0; j < elements; ++j) node.elements += layout.elements_per_item == 1 || (k >= j && k <= j + 3);
+    }
+  auto shared = [&](const LocalNode& n) { return n.elements < valence_[at(n.node)]; };
+  std::sort(nodes.begin(), nodes.end(), [&](const LocalNode& a, const LocalNode& b) {
+    if (shared(a) != shared(b)) return shared(b);
+    return even(a.rows) != even(b.rows) ? even(a.rows) < even(b.rows) : a.node < b.node;
+  });
+  interior = static_cast<int>(std::count_if(nodes.begin(), nodes.end(), [&](const LocalNode& n) { return !shared(n); }));
+  for (std::size_t i = 0; i < nodes.size(); ++i) local_[at(nodes[i].node)] = static_cast<int>(i);
+  return nodes;
+}
+
+void PatchBuilder::write_corners_and_rows(const Layout& layout, std::span<const Item> items,
+                                          std::span<const LocalNode> nodes, std::uint16_t* corner,
+                                          std::uint16_t* row) const {
+  std::vector<std::uint16_t*> next;
+  for (const LocalNode& node : nodes) {
+    next.push_back(row);
+    row += even(node.rows);
+  }
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const int tile = static_cast<int>(i) / width_, lane = static_cast<int>(i) % width_;
+    for (int k = 0; k < layout.corners; ++k) {
+      const int local = local_[at(items[i].node[at(k)])];
+      corner[(tile * layout.corners + k) * width_ + lane] = static_cast<std::uint16_t>(4 * local);
+      const int its_row = (tile * layout.corners + k) * width_ + row_of_lane(lane, width_);
+      if (k < items[i].corners) *next[at(local)]++ = static_cast<std::uint16_t>(16 + 4 * its_row);
+    }
+  }
+}
+
+bool PatchBuilder::same_parameters(std::span<const Item> items) const {
+  const int first = items[0].element[0], section = parameters_.section_of(first);
+  const bool one_section = model_.sections[at(section)].material.element_parameters.empty();
+  const std::vector<float> values = parameters_(first);
+  for (const Item& item : items)
+    for (const int e : item.element)
+      if (e >= 0 && !(one_section && parameters_.section_of(e) == section) && parameters_(e) != values) return false;
+  return true;
+}
+
+void PatchBuilder::write_elements(const Block& block, const Layout& layout, std::span<const Item> items, bool uniform,
+                                  const Patch& patch, float* parameters, float* constants, int* element) {
+  const auto W = at(width_);
+  const std::vector<float> first = parameters_(items[0].element[0]);
+  const std::size_t places = at(patch.tiles * layout.elements_per_item);
+  for (std::size_t i = 0; i < (uniform ? 1 : places) * first.size() * W; ++i) parameters[i] = first[i / W % first.size()];
+  if (element) std::fill(element, element + places * W, -1);
+  alignas(64) float lanes[16 * 32] = {}, moduli[3 * 16];
+  std::vector<double> values(at(layout.constants));
+  std::array<Vec3<double>, 8> X;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    for (std::size_t j = 0; j < at(layout.elements_per_item); ++j) {
+      const int e = items[i].element[j];
+      if (e < 0) continue;
+      const std::size_t place = i / W * at(layout.elements_per_item) + j, lane = i % W;
+      const std::vector<float> p = parameters_(e);
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        std::fill_n(lanes + k * W, W, p[k]);
+        if (!uniform) parameters[(place * p.size() + k) * W + lane] = p[k];
+      }
+      const MaterialTile tile{lanes, nullptr, Pass{}};
+      block.law->moduli(nullptr, &tile, moduli);
+      for (std::size_t a = 0; a < 8 && a + j < 8; ++a)
+        X[a] = model_.mesh.X[at(numbering_.user_of_internal[at(items[i].node[a + j])])];
+      const double hourglass = model_.sections[at(parameters_.section_of(e))].hourglass;
+      element_constants(block.formulation, X, {moduli[0], moduli[W], moduli[2 * W]}, hourglass, values.data());
+      for (std::size_t c = 0; c < values.size(); ++c)
+        constants[(place * values.size() + c) * W + lane] = static_cast<float>(values[c]);
+      if (element) element[place * W + lane] = e;
+    }
+}
+
+void PatchBuilder::add_patch(const Block& block, std::span<const Item> items, std::vector<Patch>& patches) {
+  const Layout layout = layout_of(block.formulation);
+  Patch patch;
+  const std::vector<LocalNode> nodes = sorted_nodes(layout, items, patch.interior_count);
+  patch.tiles = tiles_for(items.size(), width_);
+  patch.node_count = static_cast<int>(nodes.size());
+  patch.slot = slot_count_;
+  slot_count_ += patch.node_count - patch.interior_count;
+  std::vector<SumRun> runs;
+  std::size_t rows = 0;
+  for (int i = 0; i < patch.node_count; ++i) {
+    const auto count = static_cast<std::uint16_t>(even(nodes[at(i)].rows));
+    if (i == patch.interior_count) patch.interior_runs = static_cast<int>(runs.size());
+    if (i == 0 || i == patch.interior_count || runs.back().rows != count) runs.push_back({0, count});
+    ++runs.back().nodes;
+    rows += count;
+  }
+  patch.runs = static_cast<int>(runs.size());
+  if (patch.interior_count == patch.node_count) patch.interior_runs = patch.runs;
+
+  const bool uniform = same_parameters(items);
+  const int places = patch.tiles * layout.elements_per_item, parameter_count = block.law->parameter_count;
+  const auto W = at(width_);
+  patch.parameter_stride = uniform ? 0 : parameter_count * width_;
+  Plan plan;
+  const std::size_t node = plan.add<int>(nodes.size()), run = plan.add<SumRun>(runs.size()),
+                    row = plan.add<std::uint16_t>(rows),
+                    corner = plan.add<std::uint16_t>(at(patch.tiles * layout.corners) * W),
+                    element = plan.add<int>(block.terms() > 0 ? at(places) * W : 0),
+                    parameters = plan.add<float>(at(uniform ? 1 : places) * at(parameter_count) * W),
+                    history = plan.add<float>(at(places * layout.points) * at(block.terms()) * 6 * W),
+                    constants = plan.add<float>(at(places) * at(layout.constants) * W);
+  std::byte* memory = arena_.allocate(plan.bytes());
+  auto* its_nodes = reinterpret_cast<int*>(memory + node);
+  auto* its_runs = reinterpret_cast<SumRun*>(memory + run);
+  auto* its_rows = reinterpret_cast<std::uint16_t*>(memory + row);
+  auto* its_corners = reinterpret_cast<std::uint16_t*>(memory + corner);
+  auto* its_elements = block.terms() > 0 ? reinterpret_cast<int*>(memory + element) : nullptr;
+  auto* its_parameters = reinterpret_cast<float*>(memory + parameters);
+  auto* its_constants = reinterpret_cast<float*>(memory + constants);
+  patch.history = reinterpret_cast<float*>(memory + history);
+  std::transform(nodes.begin(), nodes.end(), its_nodes, [](const LocalNode& n) { return n.node; });
+  std::copy(runs.begin(), runs.end(), its_runs);
+  write_corners_and_rows(layout, items, nodes, its_corners, its_rows);
+  write_elements(block, layout, items, uniform, patch, its_parameters, its_constants, its_elements);
+  for (const LocalNode& n : nodes) local_[at(n.node)] = -1;
+  patch.node = its_nodes;
+  patch.run = its_runs;
+  patch.row = its_rows;
+  patch.corner = its_corners;
+  patch.element = its_elements;
+  patch.parameters = its_parameters;
+  patch.constants = its_constants;
+  patches.push_back(patch);
+  largest_node_count_ = std::max(largest_node_count_, patch.node_count);
+  largest_row_count_ = std::max(largest_row_count_, patch.tiles * layout.corners * width_);
+}
+
+}  // namespace glisson::detail

@@ -1,0 +1,313 @@
+#include <glisson/cpu/solids/patch_solids.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include <glisson/core/base/error.hpp>
+#include <glisson/cpu/patch_solids.hpp>
+#include <glisson/cpu/solids/element_constants.hpp>
+
+namespace glisson::detail {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Backend memory as rows of floats.
+const float* floats(const Vec4<float>* rows) { return reinterpret_cast<const float*>(rows); }
+float* floats(Vec4<float>* rows) { return reinterpret_cast<float*>(rows); }
+
+std::vector<float> prony_coefficients(const Block& block, double dt) {
+  std::vector<float> result;
+  for (const auto* terms : {&block.isochoric, &block.volumetric})
+    for (const PronyTerm& term : *terms) {
+      result.push_back(static_cast<float>(dt * term.alpha / (dt + term.tau)));
+      result.push_back(static_cast<float>(term.tau / (dt + term.tau)));
+    }
+  return result;
+}
+
+}  // namespace
+
+PatchSolids::PatchSolids(Threads& threads, const Model& model, const Numbering& numbering, const InstructionSet& set)
+    : threads_(threads), set_(set), kernels_(*set.formulations) {
+  const int node_count = model.mesh.node_count(), width = kernels_.width;
+  {
+    const ElementParameters parameters(model);
+    PatchBuilder builder(model, numbering, parameters, width, arena_);
+    make_blocks(model, numbering, parameters, builder);
+    local_floats_ = (4 * builder.largest_node_count() + 15) / 16 * 16;
+    scratch_floats_ = local_floats_ + 16 + (4 * builder.largest_row_count() + 15) / 16 * 16 + 1024;
+    find_shared_nodes(node_count, builder.slot_count());
+  }
+  const auto team = at(threads_.thread_count()), slots = shared_.slots.size();
+  scratch_ = threads_.allocate<float>(team * at(scratch_floats_));
+  slot_force_ = threads_.allocate<float>(4 * slots);
+  if (averages_pressure_) find_volumes(model, numbering);
+  keep_history_order(model);
+  patch_energy_.resize(patches_.size());
+  cut_.resize(team + 1);
+  for (std::size_t t = 0; t <= team; ++t) cut_[t] = static_cast<int>(patches_.size() * t / team);
+}
+
+const LawKernels& PatchSolids::law_named(const std::string& name) const {
+  for (std::size_t i = 0; i < set_.law_count; ++i)
+    if (name == set_.laws[i]->name) return *set_.laws[i];
+  throw Error(ErrorKind::input, "The law " + name + " does not exist. See the list of laws in the documentation.");
+}
+
+void PatchSolids::make_blocks(const Model& model, const Numbering& numbering, const ElementParameters& parameters,
+                              PatchBuilder& builder) {
+  auto pairs = [](const std::vector<PronyTerm>& terms) {
+    std::vector<std::pair<double, double>> result;
+    for (const PronyTerm& t : terms) result.emplace_back(t.alpha, t.tau);
+    return result;
+  };
+  auto key = [&](const Section& s) {
+    return std::tuple(s.formulation, s.material.law, pairs(s.material.isochoric), pairs(s.material.volumetric));
+  };
+  std::map<decltype(key(model.sections[0])), int> numbers;
+  std::vector<int> block_of_section;
+  for (const Section& section : model.sections) {
+    const auto [it, is_new] = numbers.emplace(key(section), static_cast<int>(blocks_.size()));
+    block_of_section.push_back(it->second);
+    if (!is_new) continue;
+    blocks_.push_back({section.formulation, &law_named(section.material.law), section.material.isochoric,
+                       section.material.volumetric});
+  }
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    std::vector<int> elements;
+    for (const int e : numbering.element_order)
+      if (parameters.section_of(e) >= 0 && block_of_section[at(parameters.section_of(e))] == static_cast<int>(b))
+        elements.push_back(e);
+    Block& block = blocks_[b];
+    builder.add(block, std::move(elements), patches_);
+    block_of_patch_.resize(patches_.size(), static_cast<int>(b));
+    const auto f = static_cast<std::size_t>(block.formulation);
+    const PatchKernel own = block.terms() > 0 ? block.law->viscous_forces[f] : block.law->forces[f];
+    block_passes_.push_back({own ? own : kernels_.forces[f], {}});
+    averages_pressure_ = averages_pressure_ || block.formulation == Formulation::t4anp;
+  }
+}
+
+void PatchSolids::find_shared_nodes(int node_count, int slot_count) {
+  std::vector<int> parts(at(node_count));
+  auto over_slots = [&](auto&& visit) {
+    for (const Patch& patch : patches_)
+      for (int i = patch.interior_count, slot = patch.slot; i < patch.node_count; ++i, ++slot) visit(patch.node[i], slot);
+  };
+  over_slots([&](int node, int) { ++parts[at(node)]; });
+  const auto count = std::count_if(parts.begin(), parts.end(), [](int p) { return p > 0; });
+  shared_.node.reserve(static_cast<std::size_t>(count));
+  shared_.begin.reserve(static_cast<std::size_t>(count) + 1);
+  shared_.slots.resize(at(slot_count));
+  int begin = 0;
+  for (int n = 0; n < node_count; ++n) {
+    if (parts[at(n)] == 0) continue;
+    shared_.node.push_back(n);
+    shared_.begin.push_back(begin);
+    begin += std::exchange(parts[at(n)], begin);
+  }
+  shared_.begin.push_back(begin);
+  over_slots([&](int node, int slot) { shared_.slots[at(parts[at(node)]++)] = slot; });
+}
+
+/// 1 / (4 sum of V_e) around the nodes of T4ANP elements; 0 elsewhere.
+void PatchSolids::find_volumes(const Model& model, const Numbering& numbering) {
+  const auto node_count = at(model.mesh.node_count());
+  pressure_ = threads_.allocate<float>(node_count);
+  pressure_weight_ = threads_.allocate<float>(node_count);
+  slot_pressure_ = threads_.allocate<float>(shared_.slots.size());
+  std::vector<double> volume(node_count);
+  for (const Section& section : model.sections) {
+    if (section.formulation != Formulation::t4anp) continue;
+    for (const int e : section.elements) {
+      std::array<Vec3<double>, 4> X;
+      const auto nodes = model.mesh.element(e);
+      for (std::size_t a = 0; a < 4; ++a) X[a] = model.mesh.X[at(nodes[a])];
+      double constants[11];
+      element_constants(Formulation::t4anp, X, {}, 0, constants);
+      for (const int n : nodes) volume[at(numbering.internal_of_user[at(n)])] += constants[9];
+    }
+  }
+  for (std::size_t n = 0; n < node_count; ++n)
+    pressure_weight_[n] = volume[n] > 0 ? static_cast<float>(0.25 / volume[n]) : 0.0f;
+}
+
+Pass PatchSolids::pass_of(const StepView<float>& step, int thread) const {
+  Pass pass;
+  pass.u = floats(step.u);
+  pass.f = floats(step.f);
+  pass.slot_force = slot_force_.get();
+  pass.pressure = pressure_.get();
+  pass.slot_pressure = slot_pressure_.get();
+  pass.pressure_weight = pressure_weight_.get();
+  pass.local_rows = scratch_.get() + at(thread) * at(scratch_floats_);
+  pass.force_rows = pass.local_rows + local_floats_;
+  pass.advance = step.advance;
+  return pass;
+}
+
+void PatchSolids::for_block(Pass& pass, const Block& block, const BlockPass& block_pass) const {
+  pass.prony = block_pass.prony.data();
+  pass.isochoric = static_cast<int>(block.isochoric.size());
+  pass.volumetric = static_cast<int>(block.volumetric.size());
+  pass.law = block.terms() > 0 ? block.law->viscous : block.law->elastic;
+}
+
+void PatchSolids::load(const Block& block, const Patch& patch, const Pass& pass) const {
+  kernels_.load_displacements(patch, pass);
+  if (block.formulation == Formulation::t4anp) kernels_.load_pressures(patch, pass);
+}
+
+/// First sweep of T4ANP (Joldes et al. 2009): volume-weighted mean of the element pressures at the nodes.
+void PatchSolids::average_pressures(Pass pass, int thread) {
+  for (int p = cut_[at(thread)]; p < cut_[at(thread) + 1]; ++p) {
+    if (blocks_[at(block_of_patch_[at(p)])].formulation != Formulation::t4anp) continue;
+    kernels_.load_displacements(patches_[at(p)], pass);
+    kernels_.pressures(patches_[at(p)], pass);
+    kernels_.sum_pressures(patches_[at(p)], pass);
+  }
+  threads_.team().barrier();
+  const Share share = share_of(static_cast<int>(shared_.node.size()), thread, threads_.thread_count());
+  for (int i = share.first; i < share.last; ++i) {
+    float sum = 0;
+    for (int k = shared_.begin[at(i)]; k < shared_.begin[at(i) + 1]; ++k) sum += pass.slot_pressure[shared_.slots[at(k)]];
+    const int node = shared_.node[at(i)];
+    pass.pressure[node] = sum * pass.pressure_weight[node];
+  }
+  threads_.team().barrier();
+}
+
+void PatchSolids::sum_shared_forces(const Pass& pass, int thread) const {
+  const Share share = share_of(static_cast<int>(shared_.node.size()), thread, threads_.thread_count());
+  const auto* parts = reinterpret_cast<const Vec4<float>*>(pass.slot_force);
+  auto* f = reinterpret_cast<Vec4<float>*>(pass.f);
+  for (int i = share.first; i < share.last; ++i) {
+    Vec4<float> sum = f[shared_.node[at(i)]];
+    for (int k = shared_.begin[at(i)]; k < shared_.begin[at(i) + 1]; ++k) {
+      const Vec4<float> part = parts[shared_.slots[at(k)]];
+      sum.x += part.x;
+      sum.y += part.y;
+      sum.z += part.z;
+    }
+    f[shared_.node[at(i)]] = sum;
+  }
+}
+
+void PatchSolids::add_forces(const StepView<float>& step) {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    BlockPass& block_pass = block_passes_[b];
+    if (blocks_[b].terms() == 0 || block_pass.dt == step.dt) continue;
+    block_pass.dt = step.dt;
+    block_pass.prony = prony_coefficients(blocks_[b], step.dt);
+  }
+  threads_.team().run([&](int thread) {
+    Pass pass = pass_of(step, thread);
+    if (averages_pressure_) average_pressures(pass, thread);
+    for (int p = cut_[at(thread)]; p < cut_[at(thread) + 1]; ++p) {
+      const std::size_t b = at(block_of_patch_[at(p)]);
+      for_block(pass, blocks_[b], block_passes_[b]);
+      load(blocks_[b], patches_[at(p)], pass);
+      block_passes_[b].forces(patches_[at(p)], pass);
+      kernels_.sum_forces(patches_[at(p)], pass);
+    }
+    threads_.team().barrier();
+    sum_shared_forces(pass, thread);
+  });
+}
+
+template <class Energy>
+double PatchSolids::sum_energy(const StepView<float>& step, Energy&& energy) {
+  threads_.team().run([&](int thread) {
+    Pass pass = pass_of(step, thread);
+    if (averages_pressure_) average_pressures(pass, thread);
+    for (int p = cut_[at(thread)]; p < cut_[at(thread) + 1]; ++p) {
+      const std::size_t b = at(block_of_patch_[at(p)]);
+      pass.law = blocks_[b].law->energy;
+      const EnergyKernel kernel = energy(blocks_[b]);
+      if (kernel) load(blocks_[b], patches_[at(p)], pass);
+      patch_energy_[at(p)] = kernel ? kernel(patches_[at(p)], pass) : 0;
+    }
+  });
+  return std::accumulate(patch_energy_.begin(), patch_energy_.end(), 0.0);
+}
+
+double PatchSolids::strain_energy(const StepView<float>& step) {
+  return sum_energy(step, [&](const Block& b) { return kernels_.strain_energy[static_cast<std::size_t>(b.formulation)]; });
+}
+
+double PatchSolids::hourglass_energy(const StepView<float>& step) {
+  auto kernel = [&](const Block& b) { return kernels_.hourglass_energy[static_cast<std::size_t>(b.formulation)]; };
+  if (std::none_of(blocks_.begin(), blocks_.end(), [&](const Block& b) { return kernel(b) != nullptr; })) return 0;
+  return sum_energy(step, kernel);
+}
+
+void PatchSolids::keep_history_order(const Model& model) {
+  for (const Section& section : model.sections) {
+    const std::size_t terms = section.material.isochoric.size() + section.material.volumetric.size();
+    const auto points = at(layout_of(section.formulation).points);
+    if (terms == 0) continue;
+    history_begin_.resize(at(model.mesh.element_count()));
+    for (const int e : section.elements) {
+      history_begin_[at(e)] = history_size_;
+      history_size_ += points * terms * 6;
+    }
+  }
+}
+
+/// visit(place in canonical order, value in a tile) for every number.
+template <class Visit>
+void PatchSolids::visit_history(Visit&& visit) const {
+  const auto W = at(kernels_.width);
+  for (std::size_t p = 0; p < patches_.size(); ++p) {
+    const Block& block = blocks_[at(block_of_patch_[p])];
+    const Layout layout = layout_of(block.formulation);
+    const std::size_t per_element = at(layout.points * block.terms()) * 6;
+    if (per_element == 0) continue;
+    for (std::size_t place = 0; place < at(patches_[p].tiles * layout.elements_per_item) * W; ++place) {
+      const int e = patches_[p].element[place];
+      if (e < 0) continue;
+      float* first = patches_[p].history + place / W * per_element * W + place % W;
+      for (std::size_t i = 0; i < per_element; ++i) visit(history_begin_[at(e)] + i, first[i * W]);
+    }
+  }
+}
+
+std::vector<double> PatchSolids::history() const {
+  std::vector<double> values(history_size_);
+  visit_history([&](std::size_t place, float& value) { values[place] = static_cast<double>(value); });
+  return values;
+}
+
+void PatchSolids::set_history(const std::vector<double>& values) {
+  if (values.size() != history_size_)
+    throw Error(ErrorKind::input, "The saved history has " + std::to_string(values.size()) + " values, but the model needs " +
+                                      std::to_string(history_size_) + ": it belongs to another model.");
+  visit_history([&](std::size_t place, float& value) { value = static_cast<float>(values[place]); });
+}
+
+std::size_t PatchSolids::memory_bytes() const {
+  auto ints = [](const std::vector<int>& v) { return v.capacity() * sizeof(int); };
+  const std::size_t slots = shared_.slots.size();
+  std::size_t floats = at(threads_.thread_count()) * at(scratch_floats_) + 4 * slots;
+  if (averages_pressure_) floats += slots + pressure_.get_deleter().count + pressure_weight_.get_deleter().count;
+  return arena_.used() + patches_.capacity() * sizeof(Patch) + ints(block_of_patch_) + ints(shared_.node) +
+         ints(shared_.begin) + ints(shared_.slots) + floats * sizeof(float) +
+         history_begin_.capacity() * sizeof(std::size_t) + patch_energy_.capacity() * sizeof(double);
+}
+
+}  // namespace glisson::detail
+
+namespace glisson {
+
+std::unique_ptr<SolidForces<float>> make_patch_solids(Threads& threads, const Model& model, const Numbering& numbering,
+                                                      const std::string& instruction_set) {
+  return std::make_unique<detail::PatchSolids>(threads, model, numbering,
+                                               detail::choose_instruction_set(instruction_set.c_str()));
+}
+
+std::string widest_instruction_set() { return detail::choose_instruction_set("auto").name; }
+
+}  // namespace glisson
