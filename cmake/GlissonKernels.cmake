@@ -19,7 +19,7 @@ function(glisson_kernel_source template name flags out)
   # Contraction to fused multiply-adds is wanted; -W: g++ 12 warns about its own <immintrin.h>.
   separate_arguments(flags)
   set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS
-    "${flags};-O3;-ffp-contract=fast;-fno-math-errno;-fno-trapping-math;-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-psabi")
+    "${flags};-O3;-ffp-contract=fast;-fno-math-errno;-fno-trapping-math;-fno-signed-zeros;-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-psabi")
   list(APPEND ${out} ${file})
   set(${out} ${${out}} PARENT_SCOPE)
 endfunction()

@@ -1,10 +1,14 @@
 // The functions of one law for one width, and the kernels that have the law compiled in.
 #pragma once
 
+#include <glisson/core/materials/neo_hookean.hpp>
 #include <glisson/cpu/solids/kernel_table.hpp>
 #include <glisson/cpu/solids/tetrahedra.hpp>
 
 namespace glisson::detail {
+
+template <>
+inline constexpr bool stress_scales_with_parameters<NeoHookean> = true;
 
 template <int W, class Stress>
 GLISSON_FLATTEN void stress_function(const void* H, const void* tile, void* P) {

@@ -40,8 +40,19 @@ GLISSON_INLINE Mat3<Pack<W>> first_pk_of(const Mat3<Pack<W>>& H, const Sym3<Pack
   return P;
 }
 
+/// P is proportional to the parameters: they can be scaled by the volume, two products instead of nine.
+template <template <class> class Law>
+constexpr bool stress_scales_with_parameters = false;
+
+/// A law that is compiled into the kernel. stress<true> gives V P.
 template <int W, template <class> class Law>
 struct Elastic {
+  static constexpr bool gives_volume_times_stress = stress_scales_with_parameters<Law>;
+  GLISSON_INLINE static void stress(const Mat3<Pack<W>>& H, const MaterialTile& tile, Pack<W> volume, Mat3<Pack<W>>& P) {
+    Pack<W> p[Law<Pack<W>>::parameter_count];
+    for (int k = 0; k < Law<Pack<W>>::parameter_count; ++k) p[k] = volume * Pack<W>::load(tile.parameters + k * W);
+    P = Law<Pack<W>>::load(p).first_pk(H);
+  }
   GLISSON_INLINE static void stress(const Mat3<Pack<W>>& H, const MaterialTile& tile, Mat3<Pack<W>>& P) {
     P = load_law<W, Law>(tile.parameters).first_pk(H);
   }
@@ -49,6 +60,7 @@ struct Elastic {
 
 template <int W, template <class> class Law>
 struct Viscous {
+  static constexpr bool gives_volume_times_stress = false;
   GLISSON_INLINE static void stress(const Mat3<Pack<W>>& H, const MaterialTile& tile, Mat3<Pack<W>>& P) {
     const SplitStress<Pack<W>> part = load_law<W, Law>(tile.parameters).second_pk(H);
     Sym3<Pack<W>> S{part.isochoric.xx + part.volumetric.xx, part.isochoric.yy + part.volumetric.yy,
@@ -62,6 +74,7 @@ struct Viscous {
 
 template <int W>
 struct AnyLaw {
+  static constexpr bool gives_volume_times_stress = false;
   GLISSON_INLINE static void stress(const Mat3<Pack<W>>& H, const MaterialTile& tile, Mat3<Pack<W>>& P) {
     tile.pass.law(&H, &tile, &P);
   }

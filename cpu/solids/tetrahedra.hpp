@@ -83,9 +83,15 @@ GLISSON_FLATTEN void tetrahedron_forces(const Patch& patch, const Pass& pass) {
       const MaterialTile material{patch.parameters + place * patch.parameter_stride,
                                   patch.history + place * history_stride, pass};
       Mat3<P> stress;
-      Stress::stress(H, material, stress);
+      T4::Constants<P> weighted = c;
+      if constexpr (Stress::gives_volume_times_stress) {
+        Stress::stress(H, material, c.volume, stress);
+        weighted.volume = P(1);
+      } else {
+        Stress::stress(H, material, stress);
+      }
       Vec3<P> g[4];
-      T4::nodal_forces(c, stress, g);
+      T4::nodal_forces(weighted, stress, g);
       for (int a = 0; a < 4; ++a) f[j + a] = f[j + a] + g[a];
     };
     float* rows = pass.force_rows + 16 + tile * strip_corners * 4 * W;
