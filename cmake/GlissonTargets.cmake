@@ -20,6 +20,7 @@ endfunction()
 
 function(glisson_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wpedantic -Wno-missing-field-initializers
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>  # wrong in g++ 12 (bug 105651)
     $<$<BOOL:${GLISSON_WERROR}>:-Werror>)
   if(GLISSON_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${GLISSON_SANITIZE} -fno-omit-frame-pointer

@@ -11,7 +11,7 @@
 #include <glisson/core/tensor/tensor.hpp>
 #include <glisson/cpu/simd/pack.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 typedef float Row __attribute__((vector_size(16), may_alias));
 
@@ -100,4 +100,4 @@ GLISSON_INLINE void store_scalars(float* values, Pack<W> a) {
   store_scalars(values, a, std::make_index_sequence<W>());
 }
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

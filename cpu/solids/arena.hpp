@@ -9,16 +9,16 @@
 
 #include <glisson/cpu/memory.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 class Arena {
  public:
   /// Zeroed, aligned to a cache line.
   std::byte* allocate(std::size_t bytes) {
-    bytes = (bytes + cache_line - 1) / cache_line * cache_line;
+    bytes = (bytes + detail::cache_line - 1) / detail::cache_line * detail::cache_line;
     if (bytes > left_) {
       const std::size_t chunk = std::max(bytes, std::clamp(used_, smallest_chunk, largest_chunk));
-      chunks_.emplace_back(static_cast<std::byte*>(allocate_untouched(chunk, 1)));
+      chunks_.emplace_back(static_cast<std::byte*>(detail::allocate_untouched(chunk, 1)));
       next_ = chunks_.back().get();
       left_ = chunk;
     }
@@ -33,7 +33,7 @@ class Arena {
 
  private:
   struct Release {
-    void operator()(std::byte* chunk) const { release_untouched(chunk); }
+    void operator()(std::byte* chunk) const { detail::release_untouched(chunk); }
   };
   static constexpr std::size_t smallest_chunk = std::size_t{1} << 16, largest_chunk = std::size_t{32} << 20;
 
@@ -42,4 +42,4 @@ class Arena {
   std::size_t left_ = 0, used_ = 0;
 };
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

@@ -1,26 +1,20 @@
 #include <glisson/cpu/solids/element_constants.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
+#include <glisson/core/elements/h8.hpp>
+#include <glisson/core/elements/h8_full.hpp>
 #include <glisson/core/elements/t4.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 namespace {
 
-/// B row by row, then the volume. An order of nodes that turns the tetrahedron inside out only changes the sign of det.
-void tetrahedron(std::span<const Vec3<double>> X, double* constants) {
-  Mat3<double> edges;  // edges[a][K] = (X_(a+1) - X_0)_K; B is its inverse transposed
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Vec3<double> edge = X[a + 1] - X[0];
-    edges.m[a][0] = edge.x;
-    edges.m[a][1] = edge.y;
-    edges.m[a][2] = edge.z;
-  }
-  const Mat3<double> c = cofactor(edges);
-  const double det = determinant(edges);
-  for (int a = 0; a < 3; ++a)
-    for (int k = 0; k < 3; ++k) constants[3 * a + k] = c.m[a][k] / det;
-  constants[9] = std::abs(det) / 6;
+template <class Constants>
+void append(const Constants& from, std::vector<double>& to) {
+  to.resize(sizeof(from) / sizeof(double));
+  std::memcpy(to.data(), &from, sizeof(from));
 }
 
 }  // namespace
@@ -29,14 +23,29 @@ int constant_count_of(Formulation formulation) {
   switch (formulation) {
     case Formulation::t4: return T4::constant_count;
     case Formulation::t4anp: return T4::constant_count + 1;
-    default: return 0;
+    case Formulation::h8_full: return H8Full::constant_count;
+    default: return H8::constant_count;
   }
 }
 
-void element_constants(Formulation formulation, std::span<const Vec3<double>> X, const Moduli& moduli, double,
-                       double* constants) {
-  tetrahedron(X, constants);
-  if (formulation == Formulation::t4anp) constants[10] = moduli.bulk;
+void element_constants(Formulation formulation, std::span<const Vec3<double>> X, const Stiffness& stiffness,
+                       std::vector<double>& constants) {
+  if (shape_of(formulation) == Shape::tetrahedron) {
+    const Vec3<double> corners[4] = {X[0], X[1], X[2], X[3]};
+    T4::Constants<double> c = T4::make(corners);
+    c.volume = std::abs(c.volume);
+    append(c, constants);
+    if (formulation == Formulation::t4anp) constants.push_back(stiffness.bulk);
+    return;
+  }
+  Vec3<double> corners[8];
+  std::copy_n(X.begin(), 8, corners);
+  if (formulation == Formulation::h8_full)
+    append(H8Full::make(corners), constants);
+  else if (formulation == Formulation::h8_fixed)
+    append(H8::make_fixed(corners, stiffness.hourglass), constants);
+  else
+    append(H8::make(corners, stiffness.hourglass), constants);
 }
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

@@ -2,20 +2,22 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <glisson/core/model.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
-/// Moduli of an element's law at rest [Pa].
-struct Moduli {
-  double wave = 0, shear = 0, bulk = 0;
+/// Numbers from an element's law at rest [Pa].
+struct Stiffness {
+  double bulk = 0;
+  double hourglass = 0;  ///< coefficient times lambda + 2 mu
 };
 
-/// Writes the constants of one element (see the kernels for their order) from its rest positions [m], in the order in which
-/// the kernel visits the nodes.
-void element_constants(Formulation formulation, std::span<const Vec3<double>> X, const Moduli& moduli, double hourglass,
-                       double* constants);
+/// The constants of one element in the order of E::Constants (T4ANP: and the bulk modulus) from its rest positions [m], in the order
+/// in which the kernel visits the nodes. Strips may turn a tetrahedron inside out; its volume stays positive.
+void element_constants(Formulation formulation, std::span<const Vec3<double>> X, const Stiffness& stiffness,
+                       std::vector<double>& constants);
 int constant_count_of(Formulation formulation);
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

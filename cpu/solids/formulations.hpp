@@ -1,11 +1,12 @@
 // The table of kernels that work with every law, for one width.
 #pragma once
 
+#include <glisson/cpu/solids/hexahedra.hpp>
 #include <glisson/cpu/solids/kernel_table.hpp>
 #include <glisson/cpu/solids/node_sums.hpp>
 #include <glisson/cpu/solids/tetrahedra.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 template <int W, Pack<W> (*function)(Pack<W>)>
 void apply_function(const float* from, float* to) {
@@ -13,8 +14,8 @@ void apply_function(const float* from, float* to) {
 }
 
 template <int W>
-constexpr FormulationKernels formulation_kernels() {
-  FormulationKernels k;
+constexpr FormulationTable formulation_kernels() {
+  FormulationTable k;
   k.width = W;
   k.load_displacements = load_displacements<W>;
   k.load_pressures = load_pressures<W>;
@@ -23,8 +24,13 @@ constexpr FormulationKernels formulation_kernels() {
   k.pressures = tetrahedron_pressures<W>;
   k.forces[0] = tetrahedron_forces<W, AnyLaw<W>, false>;
   k.forces[1] = tetrahedron_forces<W, AnyLaw<W>, true>;
+  k.forces[2] = k.forces[3] = hexahedron_forces<W, AnyLaw<W>, H8>;
+  k.forces[4] = hexahedron_forces<W, AnyLaw<W>, H8Full>;
   k.strain_energy[0] = tetrahedron_energy<W, false>;
   k.strain_energy[1] = tetrahedron_energy<W, true>;
+  k.strain_energy[2] = k.strain_energy[3] = hexahedron_energy<W, H8>;
+  k.strain_energy[4] = hexahedron_energy<W, H8Full>;
+  k.hourglass_energy[2] = k.hourglass_energy[3] = hexahedron_hourglass_energy<W, H8>;
   k.functions[0] = apply_function<W, rcbrt<W>>;
   k.functions[1] = apply_function<W, square_root<W>>;
   k.functions[2] = apply_function<W, log_1p<W>>;
@@ -32,4 +38,4 @@ constexpr FormulationKernels formulation_kernels() {
   return k;
 }
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

@@ -3,7 +3,7 @@
 #include <glisson/core/base/error.hpp>
 #include <glisson/cpu/solids/kernel_table.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 const InstructionSet& choose_instruction_set(const char* name) {
   const std::string wanted = name;
@@ -23,4 +23,4 @@ const InstructionSet& choose_instruction_set(const char* name) {
   throw Error(ErrorKind::usage, "The instruction set " + wanted + " is not known. Use one of " + known + ".");
 }
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

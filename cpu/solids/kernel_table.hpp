@@ -5,7 +5,7 @@
 
 #include <glisson/cpu/solids/patch.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 using PatchKernel = void (*)(const Patch&, const Pass&);
 using EnergyKernel = double (*)(const Patch&, const Pass&);  ///< [J]
@@ -14,7 +14,7 @@ using EnergyKernel = double (*)(const Patch&, const Pass&);  ///< [J]
 constexpr int formulation_count = 5;
 
 /// Kernels for any law, which they call through Pass::law.
-struct FormulationKernels {
+struct FormulationTable {
   int width = 0;  ///< lanes
   PatchKernel load_displacements = nullptr;
   PatchKernel load_pressures = nullptr;  ///< into the w of local rows
@@ -29,12 +29,11 @@ struct FormulationKernels {
 };
 
 /// One law: functions that the kernels above call, and kernels of its own where the law is worth compiling into them.
-struct LawKernels {
+struct LawTable {
   const char* name = nullptr;  ///< as in files
   int parameter_count = 0;
   LawFunction elastic = nullptr, viscous = nullptr;  ///< P [Pa] as Mat3
   LawFunction energy = nullptr;                      ///< W [Pa]
-  LawFunction moduli = nullptr;                      ///< wave, shear and bulk modulus [Pa], three packs; H is not read
   PatchKernel forces[formulation_count] = {};          ///< null: take the general one
   PatchKernel viscous_forces[formulation_count] = {};
 };
@@ -42,8 +41,8 @@ struct LawKernels {
 struct InstructionSet {
   const char* name;  ///< sse4.2, avx2, avx512; generic on other machines
   bool (*available)();
-  const FormulationKernels* formulations;
-  const LawKernels* const* laws;  ///< [law_count]
+  const FormulationTable* formulations;
+  const LawTable* const* laws;  ///< [law_count]
   std::size_t law_count;
 };
 
@@ -57,4 +56,4 @@ InstructionSets instruction_sets();
 /// "auto": the widest that this machine has. Throws Error(usage) for an unknown name, Error(device) for one not available.
 const InstructionSet& choose_instruction_set(const char* name);
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <glisson/core/materials/neo_hookean.hpp>
+#include <glisson/cpu/solids/hexahedra.hpp>
 #include <glisson/cpu/solids/kernel_table.hpp>
 #include <glisson/cpu/solids/tetrahedra.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 template <>
 inline constexpr bool stress_scales_with_parameters<NeoHookean> = true;
@@ -22,31 +23,22 @@ void energy_function(const void* H, const void* tile, void* energy) {
                                        .energy(*static_cast<const Mat3<Pack<W>>*>(H));
 }
 
-template <int W, template <class> class Law>
-void moduli_function(const void*, const void* tile, void* moduli) {
-  const auto law = load_law<W, Law>(static_cast<const MaterialTile*>(tile)->parameters);
-  auto* result = static_cast<Pack<W>*>(moduli);
-  result[0] = law.wave_modulus();
-  result[1] = law.shear_modulus();
-  result[2] = law.bulk_modulus();
-}
-
 /// compiled_in: also kernels of its own, which avoid a call and a trip through memory per tile.
 template <int W, template <class> class Law, bool compiled_in>
-constexpr LawKernels law_kernels() {
-  LawKernels k;
+constexpr LawTable law_kernels() {
+  LawTable k;
   k.name = Law<Pack<W>>::name;
   k.parameter_count = Law<Pack<W>>::parameter_count;
   k.elastic = stress_function<W, Elastic<W, Law>>;
   k.viscous = stress_function<W, Viscous<W, Law>>;
   k.energy = energy_function<W, Law>;
-  k.moduli = moduli_function<W, Law>;
   if constexpr (compiled_in) {
     k.forces[0] = tetrahedron_forces<W, Elastic<W, Law>, false>;
     k.forces[1] = tetrahedron_forces<W, Elastic<W, Law>, true>;
+    k.forces[2] = k.forces[3] = hexahedron_forces<W, Elastic<W, Law>, H8>;
     k.viscous_forces[0] = tetrahedron_forces<W, Viscous<W, Law>, false>;
   }
   return k;
 }
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

@@ -4,7 +4,7 @@
 #include <glisson/cpu/simd/nodes.hpp>
 #include <glisson/cpu/solids/patch.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 /// W only separates the instruction sets.
 template <int W>
@@ -68,4 +68,4 @@ void sum_pressures(const Patch& patch, const Pass& pass) {
                [&](int i, float value) __attribute__((always_inline)) { slot[i] = value; });
 }
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

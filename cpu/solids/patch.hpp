@@ -4,7 +4,9 @@
 
 #include <cstdint>
 
-namespace glisson::detail {
+#include <glisson/core/materials/prony.hpp>
+
+namespace glisson::patches {
 
 /// Tetrahedra per strip: each one shares a face with the next, so that 3 of them touch 6 nodes instead of 12.
 constexpr int strip_length = 3;
@@ -51,7 +53,7 @@ struct Pass {
   const float* pressure_weight = nullptr;  ///< 1 / (4 volume of the elements around) [1/m^3]  [node_count]
   float* local_rows = nullptr;         ///< of this thread: nodes of the patch       [largest node_count][4]
   float* force_rows = nullptr;         ///< of this thread: forces of its elements; the first 16 floats stay 0
-  const float* prony = nullptr;        ///< dt alpha / (dt + tau), tau / (dt + tau)  [terms][2]
+  const PronyCoefficients<float>* prony = nullptr;  ///< [isochoric + volumetric]
   int isochoric = 0, volumetric = 0;   ///< number of terms
   bool advance = true;                 ///< store the history
   LawFunction law = nullptr;           ///< of kernels that are not compiled for one law
@@ -64,4 +66,4 @@ struct MaterialTile {
   const Pass& pass;
 };
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

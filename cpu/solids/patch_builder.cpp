@@ -6,7 +6,7 @@
 #include <glisson/cpu/solids/element_constants.hpp>
 #include <glisson/cpu/solids/strips.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -22,7 +22,7 @@ class Plan {
   template <class T>
   std::size_t add(std::size_t count) {
     const std::size_t place = bytes_;
-    bytes_ += (count * sizeof(T) + cache_line - 1) / cache_line * cache_line;
+    bytes_ += (count * sizeof(T) + detail::cache_line - 1) / detail::cache_line * detail::cache_line;
     return place;
   }
   std::size_t bytes() const { return bytes_; }
@@ -43,7 +43,7 @@ Layout layout_of(Formulation formulation) {
   }
 }
 
-PatchBuilder::PatchBuilder(const Model& model, const Numbering& numbering, const ElementParameters& parameters, int width,
+PatchBuilder::PatchBuilder(const Model& model, const Numbering& numbering, ElementParameters& parameters, int width,
                            Arena& arena)
     : model_(model), numbering_(numbering), parameters_(parameters), width_(width), arena_(arena),
       valence_(model.mesh.X.size()), local_(model.mesh.X.size(), -1) {
@@ -167,45 +167,40 @@ void PatchBuilder::write_corners_and_rows(const Layout& layout, std::span<const 
   }
 }
 
-bool PatchBuilder::same_parameters(std::span<const Item> items) const {
+bool PatchBuilder::same_parameters(std::span<const Item> items) {
   const int first = items[0].element[0], section = parameters_.section_of(first);
-  const bool one_section = model_.sections[at(section)].material.element_parameters.empty();
-  const std::vector<float> values = parameters_(first);
+  const std::vector<float> values = parameters_(first).parameters;
   for (const Item& item : items)
-    for (const int e : item.element)
-      if (e >= 0 && !(one_section && parameters_.section_of(e) == section) && parameters_(e) != values) return false;
+    for (const int e : item.element) {
+      if (e < 0 || (parameters_.section_of(e) == section && parameters_.uniform(section))) continue;
+      if (parameters_(e).parameters != values) return false;
+    }
   return true;
 }
 
 void PatchBuilder::write_elements(const Block& block, const Layout& layout, std::span<const Item> items, bool uniform,
-                                  const Patch& patch, float* parameters, float* constants, int* element) {
+                                  const Patch& patch, const Arrays& to) {
   const auto W = at(width_);
-  const std::vector<float> first = parameters_(items[0].element[0]);
-  const std::size_t places = at(patch.tiles * layout.elements_per_item);
-  for (std::size_t i = 0; i < (uniform ? 1 : places) * first.size() * W; ++i) parameters[i] = first[i / W % first.size()];
-  if (element) std::fill(element, element + places * W, -1);
-  alignas(64) float lanes[16 * 32] = {}, moduli[3 * 16];
-  std::vector<double> values(at(layout.constants));
+  const std::vector<float> first = parameters_(items[0].element[0]).parameters;  // also for empty lanes
+  const std::size_t places = at(patch.tiles * layout.elements_per_item), count = first.size();
+  for (std::size_t i = 0; i < (uniform ? 1 : places) * count * W; ++i) to.parameters[i] = first[i / W % count];
+  if (to.element) std::fill_n(to.element, places * W, -1);
+  std::vector<double> constants;
   std::array<Vec3<double>, 8> X;
   for (std::size_t i = 0; i < items.size(); ++i)
     for (std::size_t j = 0; j < at(layout.elements_per_item); ++j) {
       const int e = items[i].element[j];
       if (e < 0) continue;
       const std::size_t place = i / W * at(layout.elements_per_item) + j, lane = i % W;
-      const std::vector<float> p = parameters_(e);
-      for (std::size_t k = 0; k < p.size(); ++k) {
-        std::fill_n(lanes + k * W, W, p[k]);
-        if (!uniform) parameters[(place * p.size() + k) * W + lane] = p[k];
-      }
-      const MaterialTile tile{lanes, nullptr, Pass{}};
-      block.law->moduli(nullptr, &tile, moduli);
-      for (std::size_t a = 0; a < 8 && a + j < 8; ++a)
+      const ElementParameters::Values& values = parameters_(e);
+      if (!uniform)
+        for (std::size_t k = 0; k < count; ++k) to.parameters[(place * count + k) * W + lane] = values.parameters[k];
+      for (std::size_t a = 0; a + j < 8; ++a)
         X[a] = model_.mesh.X[at(numbering_.user_of_internal[at(items[i].node[a + j])])];
-      const double hourglass = model_.sections[at(parameters_.section_of(e))].hourglass;
-      element_constants(block.formulation, X, {moduli[0], moduli[W], moduli[2 * W]}, hourglass, values.data());
-      for (std::size_t c = 0; c < values.size(); ++c)
-        constants[(place * values.size() + c) * W + lane] = static_cast<float>(values[c]);
-      if (element) element[place * W + lane] = e;
+      element_constants(block.formulation, X, values.stiffness, constants);
+      for (std::size_t c = 0; c < constants.size(); ++c)
+        to.constants[(place * constants.size() + c) * W + lane] = static_cast<float>(constants[c]);
+      if (to.element) to.element[place * W + lane] = e;
     }
 }
 
@@ -246,25 +241,24 @@ void PatchBuilder::add_patch(const Block& block, std::span<const Item> items, st
   auto* its_runs = reinterpret_cast<SumRun*>(memory + run);
   auto* its_rows = reinterpret_cast<std::uint16_t*>(memory + row);
   auto* its_corners = reinterpret_cast<std::uint16_t*>(memory + corner);
-  auto* its_elements = block.terms() > 0 ? reinterpret_cast<int*>(memory + element) : nullptr;
-  auto* its_parameters = reinterpret_cast<float*>(memory + parameters);
-  auto* its_constants = reinterpret_cast<float*>(memory + constants);
+  const Arrays arrays{block.terms() > 0 ? reinterpret_cast<int*>(memory + element) : nullptr,
+                      reinterpret_cast<float*>(memory + parameters), reinterpret_cast<float*>(memory + constants)};
   patch.history = reinterpret_cast<float*>(memory + history);
   std::transform(nodes.begin(), nodes.end(), its_nodes, [](const LocalNode& n) { return n.node; });
   std::copy(runs.begin(), runs.end(), its_runs);
   write_corners_and_rows(layout, items, nodes, its_corners, its_rows);
-  write_elements(block, layout, items, uniform, patch, its_parameters, its_constants, its_elements);
+  write_elements(block, layout, items, uniform, patch, arrays);
   for (const LocalNode& n : nodes) local_[at(n.node)] = -1;
   patch.node = its_nodes;
   patch.run = its_runs;
   patch.row = its_rows;
   patch.corner = its_corners;
-  patch.element = its_elements;
-  patch.parameters = its_parameters;
-  patch.constants = its_constants;
+  patch.element = arrays.element;
+  patch.parameters = arrays.parameters;
+  patch.constants = arrays.constants;
   patches.push_back(patch);
   largest_node_count_ = std::max(largest_node_count_, patch.node_count);
   largest_row_count_ = std::max(largest_row_count_, patch.tiles * layout.corners * width_);
 }
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

@@ -11,7 +11,7 @@
 #include <glisson/cpu/solids/element_parameters.hpp>
 #include <glisson/cpu/solids/kernel_table.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 /// Shape of a formulation in memory. An item is what one lane holds: a strip of tetrahedra or a hexahedron.
 struct Layout {
@@ -26,7 +26,7 @@ Layout layout_of(Formulation formulation);
 /// Elements that one kernel can run: same formulation, law and Prony terms.
 struct Block {
   Formulation formulation = Formulation::t4;
-  const LawKernels* law = nullptr;
+  const LawTable* law = nullptr;
   std::vector<PronyTerm> isochoric, volumetric;
   int first_patch = 0, patch_count = 0;
   int terms() const { return static_cast<int>(isochoric.size() + volumetric.size()); }
@@ -42,7 +42,7 @@ struct Item {
 
 class PatchBuilder {
  public:
-  PatchBuilder(const Model& model, const Numbering& numbering, const ElementParameters& parameters, int width, Arena& arena);
+  PatchBuilder(const Model& model, const Numbering& numbering, ElementParameters& parameters, int width, Arena& arena);
 
   /// Appends the patches of a block; `elements` (user's numbers, in internal order) is consumed.
   void add(Block& block, std::vector<int> elements, std::vector<Patch>& patches);
@@ -55,18 +55,23 @@ class PatchBuilder {
   struct LocalNode {
     int node, rows, elements;
   };
+  /// Where the numbers of the elements of a patch go.
+  struct Arrays {
+    int* element;  ///< null: not kept
+    float *parameters, *constants;
+  };
   std::vector<Item> tetrahedron_items(std::span<const int> elements);
   void add_patch(const Block& block, std::span<const Item> items, std::vector<Patch>& patches);
   std::vector<LocalNode> sorted_nodes(const Layout& layout, std::span<const Item> items, int& interior);
   void write_corners_and_rows(const Layout& layout, std::span<const Item> items, std::span<const LocalNode> nodes,
                               std::uint16_t* corner, std::uint16_t* row) const;
   void write_elements(const Block& block, const Layout& layout, std::span<const Item> items, bool uniform,
-                      const Patch& patch, float* parameters, float* constants, int* element);
-  bool same_parameters(std::span<const Item> items) const;
+                      const Patch& patch, const Arrays& to);
+  bool same_parameters(std::span<const Item> items);
 
   const Model& model_;
   const Numbering& numbering_;
-  const ElementParameters& parameters_;
+  ElementParameters& parameters_;
   int width_;
   Arena& arena_;
   std::vector<int> valence_;  ///< elements around an internal node [node_count]
@@ -74,4 +79,4 @@ class PatchBuilder {
   int slot_count_ = 0, largest_node_count_ = 0, largest_row_count_ = 0;
 };
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

@@ -9,7 +9,7 @@
 #include <glisson/cpu/patch_solids.hpp>
 #include <glisson/cpu/solids/element_constants.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -18,12 +18,12 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 const float* floats(const Vec4<float>* rows) { return reinterpret_cast<const float*>(rows); }
 float* floats(Vec4<float>* rows) { return reinterpret_cast<float*>(rows); }
 
-std::vector<float> prony_coefficients(const Block& block, double dt) {
-  std::vector<float> result;
+std::vector<PronyCoefficients<float>> coefficients(const Block& block, double dt) {
+  std::vector<PronyCoefficients<float>> result;
   for (const auto* terms : {&block.isochoric, &block.volumetric})
     for (const PronyTerm& term : *terms) {
-      result.push_back(static_cast<float>(dt * term.alpha / (dt + term.tau)));
-      result.push_back(static_cast<float>(term.tau / (dt + term.tau)));
+      const auto exact = prony_coefficients(term.alpha, term.tau, dt);
+      result.push_back({static_cast<float>(exact.alpha), static_cast<float>(exact.rate)});
     }
   return result;
 }
@@ -34,7 +34,7 @@ PatchSolids::PatchSolids(Threads& threads, const Model& model, const Numbering& 
     : threads_(threads), set_(set), kernels_(*set.formulations) {
   const int node_count = model.mesh.node_count(), width = kernels_.width;
   {
-    const ElementParameters parameters(model);
+    ElementParameters parameters(model);
     PatchBuilder builder(model, numbering, parameters, width, arena_);
     make_blocks(model, numbering, parameters, builder);
     local_floats_ = (4 * builder.largest_node_count() + 15) / 16 * 16;
@@ -51,7 +51,7 @@ PatchSolids::PatchSolids(Threads& threads, const Model& model, const Numbering& 
   for (std::size_t t = 0; t <= team; ++t) cut_[t] = static_cast<int>(patches_.size() * t / team);
 }
 
-const LawKernels& PatchSolids::law_named(const std::string& name) const {
+const LawTable& PatchSolids::law_named(const std::string& name) const {
   for (std::size_t i = 0; i < set_.law_count; ++i)
     if (name == set_.laws[i]->name) return *set_.laws[i];
   throw Error(ErrorKind::input, "The law " + name + " does not exist. See the list of laws in the documentation.");
@@ -119,15 +119,14 @@ void PatchSolids::find_volumes(const Model& model, const Numbering& numbering) {
   pressure_ = threads_.allocate<float>(node_count);
   pressure_weight_ = threads_.allocate<float>(node_count);
   slot_pressure_ = threads_.allocate<float>(shared_.slots.size());
-  std::vector<double> volume(node_count);
+  std::vector<double> volume(node_count), constants;
   for (const Section& section : model.sections) {
     if (section.formulation != Formulation::t4anp) continue;
     for (const int e : section.elements) {
       std::array<Vec3<double>, 4> X;
       const auto nodes = model.mesh.element(e);
       for (std::size_t a = 0; a < 4; ++a) X[a] = model.mesh.X[at(nodes[a])];
-      double constants[11];
-      element_constants(Formulation::t4anp, X, {}, 0, constants);
+      element_constants(Formulation::t4, X, {}, constants);
       for (const int n : nodes) volume[at(numbering.internal_of_user[at(n)])] += constants[9];
     }
   }
@@ -201,7 +200,7 @@ void PatchSolids::add_forces(const StepView<float>& step) {
     BlockPass& block_pass = block_passes_[b];
     if (blocks_[b].terms() == 0 || block_pass.dt == step.dt) continue;
     block_pass.dt = step.dt;
-    block_pass.prony = prony_coefficients(blocks_[b], step.dt);
+    block_pass.prony = coefficients(blocks_[b], step.dt);
   }
   threads_.team().run([&](int thread) {
     Pass pass = pass_of(step, thread);
@@ -298,16 +297,16 @@ std::size_t PatchSolids::memory_bytes() const {
          history_begin_.capacity() * sizeof(std::size_t) + patch_energy_.capacity() * sizeof(double);
 }
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches
 
 namespace glisson {
 
 std::unique_ptr<SolidForces<float>> make_patch_solids(Threads& threads, const Model& model, const Numbering& numbering,
                                                       const std::string& instruction_set) {
-  return std::make_unique<detail::PatchSolids>(threads, model, numbering,
-                                               detail::choose_instruction_set(instruction_set.c_str()));
+  return std::make_unique<patches::PatchSolids>(threads, model, numbering,
+                                               patches::choose_instruction_set(instruction_set.c_str()));
 }
 
-std::string widest_instruction_set() { return detail::choose_instruction_set("auto").name; }
+std::string widest_instruction_set() { return patches::choose_instruction_set("auto").name; }
 
 }  // namespace glisson

@@ -7,7 +7,7 @@
 #include <glisson/cpu/solids/patch_builder.hpp>
 #include <glisson/cpu/threads.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 class PatchSolids final : public SolidForces<float> {
  public:
@@ -30,7 +30,7 @@ class PatchSolids final : public SolidForces<float> {
   /// What a block needs in a step of size dt.
   struct BlockPass {
     PatchKernel forces;
-    std::vector<float> prony;  ///< [terms][2]
+    std::vector<PronyCoefficients<float>> prony;
     double dt = -1;
   };
   void make_blocks(const Model& model, const Numbering& numbering, const ElementParameters& parameters,
@@ -38,7 +38,7 @@ class PatchSolids final : public SolidForces<float> {
   void find_shared_nodes(int node_count, int slot_count);
   void find_volumes(const Model& model, const Numbering& numbering);
   void keep_history_order(const Model& model);
-  const LawKernels& law_named(const std::string& name) const;
+  const LawTable& law_named(const std::string& name) const;
 
   Pass pass_of(const StepView<float>& step, int thread) const;
   void for_block(Pass& pass, const Block& block, const BlockPass& block_pass) const;
@@ -53,7 +53,7 @@ class PatchSolids final : public SolidForces<float> {
 
   Threads& threads_;
   const InstructionSet& set_;
-  const FormulationKernels& kernels_;
+  const FormulationTable& kernels_;
   Arena arena_;
   std::vector<Block> blocks_;
   std::vector<BlockPass> block_passes_;
@@ -71,4 +71,4 @@ class PatchSolids final : public SolidForces<float> {
   std::size_t history_size_ = 0;
 };
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

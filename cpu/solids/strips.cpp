@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace glisson::detail {
+namespace glisson::patches {
 namespace {
 
 using Tetrahedra = std::span<const std::array<int, 4>>;
@@ -144,4 +144,4 @@ class Builder {
 
 std::vector<Strip> build_strips(std::span<const std::array<int, 4>> tetrahedra) { return Builder(tetrahedra).build(); }
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

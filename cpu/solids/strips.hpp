@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 /// Tetrahedron j of a strip has the nodes node[j] .. node[j + 3], in an order that may turn it inside out (the inverse of the
 /// edge matrix turns with it, so H does not). A short strip repeats its last node.
@@ -20,4 +20,4 @@ struct Strip {
 /// leaves few alone (about 2 % of the lanes stay empty).
 std::vector<Strip> build_strips(std::span<const std::array<int, 4>> tetrahedra);
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches

@@ -6,7 +6,7 @@
 #include <glisson/cpu/simd/nodes.hpp>
 #include <glisson/cpu/solids/stress.hpp>
 
-namespace glisson::detail {
+namespace glisson::patches {
 
 /// Constants of T4 in memory: B row by row, volume; T4ANP adds the bulk modulus.
 template <bool averaged>
@@ -139,4 +139,4 @@ double tetrahedron_energy(const Patch& patch, const Pass& pass) {
   return total;
 }
 
-}  // namespace glisson::detail
+}  // namespace glisson::patches
