@@ -22,9 +22,10 @@ GuardedHeap::~GuardedHeap() {
 
 void* GuardedHeap::allocate(std::size_t count, std::size_t size) {
   if (count > (std::numeric_limits<std::size_t>::max() - 4 * page_) / size)
-    throw Error(ErrorKind::device, "The emulated device has no memory for " + std::to_string(count) + " values of " +
-                                       std::to_string(size) + " bytes. Use a coarser mesh.");
-  const std::size_t used = std::max<std::size_t>((count * size + cache_line - 1) / cache_line * cache_line, cache_line);
+    throw Error(ErrorKind::device, "The emulated device has no memory for " + std::to_string(count) +
+                                       " values of " + std::to_string(size) + " bytes. Use a coarser mesh.");
+  const std::size_t used =
+      std::max<std::size_t>((count * size + cache_line - 1) / cache_line * cache_line, cache_line);
   const std::size_t bytes = (used + page_ - 1) / page_ * page_;
   void* pages = mmap(nullptr, bytes + page_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (pages == MAP_FAILED)
@@ -39,7 +40,8 @@ void* GuardedHeap::allocate(std::size_t count, std::size_t size) {
 }
 
 void GuardedHeap::release(void* memory) {
-  const auto block = std::find_if(blocks_.begin(), blocks_.end(), [=](const Block& b) { return b.memory == memory; });
+  const auto block =
+      std::find_if(blocks_.begin(), blocks_.end(), [=](const Block& b) { return b.memory == memory; });
   if (block == blocks_.end()) return;
   munmap(block->pages, block->bytes + page_);
   blocks_.erase(block);
@@ -61,7 +63,8 @@ std::vector<int> EmulatedDevice::random_order(int n) {
   std::vector<int> order(static_cast<std::size_t>(std::max(n, 0)));
   std::iota(order.begin(), order.end(), 0);
   for (std::size_t i = order.size(); i > 1; --i) {
-    random_ = random_ * 6364136223846793005u + 1442695040888963407u;  // Knuth's MMIX generator; the high bits are good
+    random_ = random_ * 6364136223846793005u +
+              1442695040888963407u;  // Knuth's MMIX generator; the high bits are good
     std::swap(order[i - 1], order[(random_ >> 32) % i]);
   }
   return order;

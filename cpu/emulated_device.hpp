@@ -1,4 +1,5 @@
-// A backend that treats memory as a GPU does, so that mistakes with it are found on any machine. For tests; slow.
+// A backend that treats memory as a GPU does, so that mistakes with it are found on any machine. For tests;
+// slow.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,9 @@
 namespace glisson {
 namespace detail {
 
-/// Blocks of pages that nobody can touch unless the heap is open; a page that stays closed follows each block, so that
-/// reading past the end stops at once. New memory is filled with 0xff bytes: NaN as float or double, -1 as integer.
+/// Blocks of pages that nobody can touch unless the heap is open; a page that stays closed follows each
+/// block, so that reading past the end stops at once. New memory is filled with 0xff bytes: NaN as float or
+/// double, -1 as integer.
 class GuardedHeap {
  public:
   GuardedHeap();
@@ -27,9 +29,9 @@ class GuardedHeap {
 
  private:
   struct Block {
-    char* pages;            ///< start of the mapping
-    std::size_t bytes;      ///< that open and close [bytes]; a guard page follows
-    void* memory;           ///< given out; ends where the guard page starts, up to alignment
+    char* pages;        ///< start of the mapping
+    std::size_t bytes;  ///< that open and close [bytes]; a guard page follows
+    void* memory;       ///< given out; ends where the guard page starts, up to alignment
   };
   void protect(int access);
 
@@ -52,18 +54,22 @@ class HeapAccess {
 
 }  // namespace detail
 
-/// Host code that reads device memory stops with SIGSEGV, memory that nobody wrote reads as NaN, and bodies run in a random
-/// order, so that sums that depend on the order differ between seeds. What it cannot find: missing barriers inside a kernel.
+/// Host code that reads device memory stops with SIGSEGV, memory that nobody wrote reads as NaN, and bodies
+/// run in a random order, so that sums that depend on the order differ between seeds. What it cannot find:
+/// missing barriers inside a kernel.
 class EmulatedDevice {
  public:
   static constexpr Space space = Space::device;
 
-  explicit EmulatedDevice(std::uint64_t seed = 1) : heap_(std::make_unique<detail::GuardedHeap>()), random_(seed) {}
+  explicit EmulatedDevice(std::uint64_t seed = 1)
+      : heap_(std::make_unique<detail::GuardedHeap>()), random_(seed) {}
 
   template <class T>
   Buffer<T> allocate(std::size_t count) {
     static_assert(std::is_trivially_copyable_v<T>);
-    auto release = [](void* heap, T* memory, std::size_t) { static_cast<detail::GuardedHeap*>(heap)->release(memory); };
+    auto release = [](void* heap, T* memory, std::size_t) {
+      static_cast<detail::GuardedHeap*>(heap)->release(memory);
+    };
     return Buffer<T>(static_cast<T*>(heap_->allocate(count, sizeof(T))), {release, heap_.get(), count});
   }
   template <class T>
@@ -87,7 +93,8 @@ class EmulatedDevice {
  private:
   std::vector<int> random_order(int n);
 
-  std::unique_ptr<detail::GuardedHeap> heap_;  // on the heap: buffers point to it and must survive a move of the device
+  std::unique_ptr<detail::GuardedHeap>
+      heap_;  // on the heap: buffers point to it and must survive a move of the device
   std::uint64_t random_;
 };
 

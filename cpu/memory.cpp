@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t huge_page = std::size_t{2} << 20, huge_from = 4 * huge_page;
 
 [[noreturn]] void fail(std::size_t count, std::size_t size) {
-  throw Error(ErrorKind::run, "No memory for " + std::to_string(count) + " values of " + std::to_string(size) +
+  throw Error(ErrorKind::run, "No memory for " + std::to_string(count) + " values of " +
+                                  std::to_string(size) +
                                   " bytes: the model is too large for this machine. Use a coarser mesh.");
 }
 

@@ -7,8 +7,8 @@ namespace glisson::detail {
 
 constexpr std::size_t cache_line = 64;  ///< [bytes]
 
-/// `count` x `size` bytes aligned to a cache line, not yet touched, so that the thread that touches a page first decides
-/// where it lies. Throws Error(run) when there is not that much.
+/// `count` x `size` bytes aligned to a cache line, not yet touched, so that the thread that touches a page
+/// first decides where it lies. Throws Error(run) when there is not that much.
 void* allocate_untouched(std::size_t count, std::size_t size);
 void release_untouched(void* memory) noexcept;
 

@@ -22,7 +22,9 @@ class Serial {
     const std::size_t bytes = std::max<std::size_t>(count * sizeof(T), 1);
     void* data = ::operator new(bytes, alignment);
     std::memset(data, 0, bytes);
-    auto release = [](void*, T* memory, std::size_t) { ::operator delete(static_cast<void*>(memory), alignment); };
+    auto release = [](void*, T* memory, std::size_t) {
+      ::operator delete(static_cast<void*>(memory), alignment);
+    };
     return Buffer<T>(static_cast<T*>(data), {release, nullptr, count});
   }
   template <class T>

@@ -25,17 +25,18 @@ void pause() {
 
 int checked(int threads) {
   if (threads < 0 || threads > Team::max_size)
-    throw Error(ErrorKind::usage, "A team of " + std::to_string(threads) + " threads is not possible. Use 1 to " +
-                                      std::to_string(Team::max_size) + ", or 0 for as many as the machine has.");
+    throw Error(ErrorKind::usage, "A team of " + std::to_string(threads) +
+                                      " threads is not possible. Use 1 to " + std::to_string(Team::max_size) +
+                                      ", or 0 for as many as the machine has.");
   const int available = static_cast<int>(std::thread::hardware_concurrency());
   return threads > 0 ? threads : std::min(std::max(available, 1), Team::max_size);
 }
 
 }  // namespace
 
-/// `round` counts calls of run(); a thread works when it sees a round that it has not worked in. The order of the two
-/// sequentially consistent operations (round then sleepers here, sleepers then round in `wait_for_round`) makes sure that
-/// either the caller sees the sleeper or the sleeper sees the round.
+/// `round` counts calls of run(); a thread works when it sees a round that it has not worked in. The order of
+/// the two sequentially consistent operations (round then sleepers here, sleepers then round in
+/// `wait_for_round`) makes sure that either the caller sees the sleeper or the sleeper sees the round.
 struct Team::State {
   alignas(detail::cache_line) std::atomic<unsigned> round{0};
   alignas(detail::cache_line) std::atomic<int> working{0};
@@ -89,10 +90,12 @@ Team::Team(int threads) : size_(checked(threads)), state_(std::make_unique<State
   // A pause takes 10 to 40 ns. With more threads than cores, spinning keeps the awaited thread from running.
   state_->spins = size_ <= static_cast<int>(std::thread::hardware_concurrency()) ? 2000 : 0;
   try {
-    for (int t = 1; t < size_; ++t) state_->threads.emplace_back([state = state_.get(), t] { work(*state, t); });
+    for (int t = 1; t < size_; ++t)
+      state_->threads.emplace_back([state = state_.get(), t] { work(*state, t); });
   } catch (...) {
     close();
-    throw Error(ErrorKind::run, "The system refuses to start " + std::to_string(size_) + " threads. Use fewer.");
+    throw Error(ErrorKind::run,
+                "The system refuses to start " + std::to_string(size_) + " threads. Use fewer.");
   }
 }
 

@@ -1,4 +1,5 @@
-// A fixed team of threads that waits by spinning for a short while: starting a loop costs less than a microsecond.
+// A fixed team of threads that waits by spinning for a short while: starting a loop costs less than a
+// microsecond.
 #pragma once
 
 #include <memory>
@@ -6,8 +7,9 @@
 
 namespace glisson {
 
-/// Threads 1 .. size() - 1 are owned by the team; thread 0 is whoever calls run(). One caller at a time, no nesting,
-/// and what is run must not throw. Idle members spin for some 50 us, then sleep until they are needed.
+/// Threads 1 .. size() - 1 are owned by the team; thread 0 is whoever calls run(). One caller at a time, no
+/// nesting, and what is run must not throw. Idle members spin for some 50 us, then sleep until they are
+/// needed.
 class Team {
  public:
   /// threads = 0: as many as this process may use. Throws Error(usage) if negative or beyond max_size.
@@ -27,7 +29,8 @@ class Team {
                const_cast<void*>(static_cast<const void*>(&body)));
   }
 
-  /// Inside run(): waits for all threads; what they wrote before is visible after. Every thread must call it equally often.
+  /// Inside run(): waits for all threads; what they wrote before is visible after. Every thread must call it
+  /// equally often.
   void barrier();
 
  private:
@@ -46,7 +49,8 @@ struct Share {
 };
 constexpr Share share_of(int n, int thread, int thread_count, int grain = 64) {
   auto cut = [&](int t) {
-    const long long grains = (static_cast<long long>(n) + grain - 1) / grain, at = grains * t / thread_count * grain;
+    const long long grains = (static_cast<long long>(n) + grain - 1) / grain,
+                    at = grains * t / thread_count * grain;
     return static_cast<int>(at < n ? at : n);
   };
   return {cut(thread), cut(thread + 1)};

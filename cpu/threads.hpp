@@ -10,7 +10,8 @@
 
 namespace glisson {
 
-/// Loops in equal shares over a persistent team. Bodies write disjoint places, so no result depends on the number of threads.
+/// Loops in equal shares over a persistent team. Bodies write disjoint places, so no result depends on the
+/// number of threads.
 class Threads {
  public:
   static constexpr Space space = Space::host;
@@ -33,7 +34,8 @@ class Threads {
       const std::size_t first = static_cast<std::size_t>(i) * block;
       std::memset(reinterpret_cast<char*>(data) + first, 0, std::min(block, bytes - first));
     });
-    return Buffer<T>(data, {[](void*, T* memory, std::size_t) { detail::release_untouched(memory); }, nullptr, count});
+    return Buffer<T>(
+        data, {[](void*, T* memory, std::size_t) { detail::release_untouched(memory); }, nullptr, count});
   }
   template <class T>
   void copy_in(const T* from, T* to, std::size_t count) {

@@ -10,7 +10,8 @@
 namespace glisson {
 namespace {
 
-/// The six orders in which a path along the edges of a brick can take the axes; odd ones turn the tetrahedron inside out.
+/// The six orders in which a path along the edges of a brick can take the axes; odd ones turn the tetrahedron
+/// inside out.
 constexpr int axis_orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
 constexpr bool odd_order[6] = {false, true, true, false, false, true};
 
@@ -18,7 +19,8 @@ void check(const std::array<int, 3>& cells, const Vec3<double>& size) {
   double nodes = 1, elements = 6;
   for (const int count : cells) {
     if (count < 1)
-      throw Error(ErrorKind::usage, "A box of " + std::to_string(count) + " cells has no element. Give at least 1.");
+      throw Error(ErrorKind::usage,
+                  "A box of " + std::to_string(count) + " cells has no element. Give at least 1.");
     nodes *= count + 1.0;
     elements *= count;
   }
@@ -81,8 +83,8 @@ Mesh box_mesh(std::array<int, 3> cells, Vec3<double> size, Shape shape, double j
   auto add_brick = [&](int corner) {
     if (shape == Shape::hexahedron) {
       const int x = stride[0], y = stride[1], z = stride[2];
-      mesh.add_element(shape, std::array{corner, corner + x, corner + x + y, corner + y, corner + z, corner + x + z,
-                                         corner + x + y + z, corner + y + z});
+      mesh.add_element(shape, std::array{corner, corner + x, corner + x + y, corner + y, corner + z,
+                                         corner + x + z, corner + x + y + z, corner + y + z});
       return;
     }
     for (int order = 0; order < 6; ++order) {

@@ -1,4 +1,5 @@
-// Kernel files force their helpers inline, so that no function of one instruction set is left for the linker to choose.
+// Kernel files force their helpers inline, so that no function of one instruction set is left for the linker
+// to choose.
 #pragma once
 
 #define GLISSON_INLINE inline __attribute__((always_inline))

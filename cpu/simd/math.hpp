@@ -42,8 +42,9 @@ GLISSON_INLINE Pack<W> power_of_two(typename Pack<W>::Ints k) {
 
 }  // namespace detail
 
-/// x^(-1/3) for x > 0, NaN otherwise. The seed divides the exponent by -3 through the bits read as an integer (error 3.5 %);
-/// Newton's step for 1/y^3 - x squares the error, the last one in residual form so that it only rounds once.
+/// x^(-1/3) for x > 0, NaN otherwise. The seed divides the exponent by -3 through the bits read as an integer
+/// (error 3.5 %); Newton's step for 1/y^3 - x squares the error, the last one in residual form so that it
+/// only rounds once.
 template <int W>
 GLISSON_INLINE Pack<W> rcbrt(Pack<W> x) {
   const Pack<W> bits = detail::to_floats<W>(detail::as_ints(x));
@@ -70,8 +71,9 @@ GLISSON_INLINE Pack<W> square_root(Pack<W> x) {
   return y;
 }
 
-/// ln(1 + x) for x > -1, -inf at -1, NaN below. 1 + x = 2^k (1 + f) with 1 + f in [1/sqrt 2, sqrt 2); the rounding error of
-/// 1 + x comes back as a correction, and f = x where k = 0. ln(1 + f) = 2 artanh(s), s = f / (2 + f): its series in s^2 < 0.03.
+/// ln(1 + x) for x > -1, -inf at -1, NaN below. 1 + x = 2^k (1 + f) with 1 + f in [1/sqrt 2, sqrt 2); the
+/// rounding error of 1 + x comes back as a correction, and f = x where k = 0. ln(1 + f) = 2 artanh(s), s = f
+/// / (2 + f): its series in s^2 < 0.03.
 template <int W>
 GLISSON_INLINE Pack<W> log_1p(Pack<W> x) {
   using P = Pack<W>;
@@ -87,13 +89,15 @@ GLISSON_INLINE Pack<W> log_1p(Pack<W> x) {
   const P s = f / (P(2) + f), z = s * s, half_square = P(0.5) * f * f;
   const P series = z * (P(2.0 / 3) + z * (P(2.0 / 5) + z * (P(2.0 / 7) + z * P(2.0 / 9))));
   const P ln2_high(0.693359375), ln2_low(-2.12194440e-4);  // k ln2_high is exact
-  const P value = k_float * ln2_high - ((half_square - (s * (half_square + series) + (k_float * ln2_low + correction))) - f);
+  const P value = k_float * ln2_high -
+                  ((half_square - (s * (half_square + series) + (k_float * ln2_low + correction))) - f);
   const P infinity(std::numeric_limits<float>::infinity());
   const P edge = select(x == -one, -infinity, select(x == infinity, infinity, detail::not_a_number<W>()));
   return select((x > -one) & (x < infinity), value, edge);
 }
 
-/// e^x - 1. x = k ln 2 + r, |r| < 0.35: (e^r - 1) by its series, then 2^k (e^r - 1) + (2^k - 1). inf above 88.73.
+/// e^x - 1. x = k ln 2 + r, |r| < 0.35: (e^r - 1) by its series, then 2^k (e^r - 1) + (2^k - 1). inf
+/// above 88.73.
 template <int W>
 GLISSON_INLINE Pack<W> exp_m1(Pack<W> x) {
   using P = Pack<W>;
@@ -102,8 +106,11 @@ GLISSON_INLINE Pack<W> exp_m1(Pack<W> x) {
   const auto k = detail::truncated(scaled + select(scaled < P(0), P(-0.5), P(0.5)));
   const P k_float = detail::to_floats<W>(k);
   const P r = (clamped - k_float * P(0.693359375)) - k_float * P(-2.12194440e-4);
-  const P tail = P(1.0 / 2) + r * (P(1.0 / 6) + r * (P(1.0 / 24) + r * (P(1.0 / 120) + r * (P(1.0 / 720) +
-                 r * (P(1.0 / 5040) + r * P(1.0 / 40320))))));
+  const P tail =
+      P(1.0 / 2) +
+      r * (P(1.0 / 6) +
+           r * (P(1.0 / 24) +
+                r * (P(1.0 / 120) + r * (P(1.0 / 720) + r * (P(1.0 / 5040) + r * P(1.0 / 40320))))));
   const P e = r + r * r * tail;
   const P half_power = detail::power_of_two<W>(k - 1);  // 2^128 does not fit
   const P value = (half_power * e + (half_power - P(0.5))) * P(2);

@@ -38,8 +38,8 @@ GLISSON_INLINE Pack<W> interleave_high(Pack<W> a, Pack<W> b, std::index_sequence
   return __builtin_shufflevector(a.v, b.v, (static_cast<int>(I / 4 * 4 + 2 + I % 4 / 2 + I % 2 * W))...);
 }
 
-/// Rows at offset[0], offset[4], offset[8], ... side by side. Intrinsics, because g++ 12 does not fold the second load into
-/// the insertion otherwise.
+/// Rows at offset[0], offset[4], offset[8], ... side by side. Intrinsics, because g++ 12 does not fold the
+/// second load into the insertion otherwise.
 template <int W>
 GLISSON_INLINE Pack<W> load_rows(const float* rows, const std::uint16_t* offset) {
   if constexpr (W == 4) {
@@ -52,8 +52,8 @@ GLISSON_INLINE Pack<W> load_rows(const float* rows, const std::uint16_t* offset)
     return Pack<8>(__builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7));
 #endif
   } else {
-    const Row r0 = load_row(rows + offset[0]), r1 = load_row(rows + offset[4]), r2 = load_row(rows + offset[8]),
-              r3 = load_row(rows + offset[12]);
+    const Row r0 = load_row(rows + offset[0]), r1 = load_row(rows + offset[4]),
+              r2 = load_row(rows + offset[8]), r3 = load_row(rows + offset[12]);
 #if defined(__AVX512DQ__)
     const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(r0), r1, 1),
                  high = _mm256_insertf128_ps(_mm256_castps128_ps256(r2), r3, 1);
@@ -83,7 +83,7 @@ template <int W>
 GLISSON_INLINE void store_nodes(float* rows, const Vec3<Pack<W>>& a) {
   const auto lanes = std::make_index_sequence<W>();
   const Pack<W> zero(0), xy01 = interleave_low(a.x, a.y, lanes), xy23 = interleave_high(a.x, a.y, lanes),
-                z01 = interleave_low(a.z, zero, lanes), z23 = interleave_high(a.z, zero, lanes);
+                         z01 = interleave_low(a.z, zero, lanes), z23 = interleave_high(a.z, zero, lanes);
   shuffle_lanes<0, 1, 0, 1>(xy01, z01).store(rows);
   shuffle_lanes<2, 3, 2, 3>(xy01, z01).store(rows + W);
   shuffle_lanes<0, 1, 0, 1>(xy23, z23).store(rows + 2 * W);
@@ -93,7 +93,8 @@ GLISSON_INLINE void store_nodes(float* rows, const Vec3<Pack<W>>& a) {
 /// One number per lane in the same order as rows of store_nodes.
 template <int W, std::size_t... I>
 GLISSON_INLINE void store_scalars(float* values, Pack<W> a, std::index_sequence<I...>) {
-  Pack<W>(__builtin_shufflevector(a.v, a.v, static_cast<int>(I % (W / 4) * 4 + I / (W / 4))...)).store(values);
+  Pack<W>(__builtin_shufflevector(a.v, a.v, static_cast<int>(I % (W / 4) * 4 + I / (W / 4))...))
+      .store(values);
 }
 template <int W>
 GLISSON_INLINE void store_scalars(float* values, Pack<W> a) {

@@ -1,5 +1,5 @@
-// W floats that are computed together: a number type for laws and elements. Only for kernel files: each instruction set
-// compiles its own width, so that no function of one set can be linked into another.
+// W floats that are computed together: a number type for laws and elements. Only for kernel files: each
+// instruction set compiles its own width, so that no function of one set can be linked into another.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct Pack {
   Pack(Floats lanes) : v(lanes) {}
   /// The same value in all lanes. Subtracting 0 changes no value, so that the compiler can drop it.
   template <class T>
-    requires std::is_arithmetic_v<T>
+  requires std::is_arithmetic_v<T>
   explicit Pack(T value) : v(static_cast<float>(value) - Floats{}) {}
 
   static Pack load(const float* aligned) { return *reinterpret_cast<const Floats*>(aligned); }

@@ -21,10 +21,14 @@ void append(const Constants& from, std::vector<double>& to) {
 
 int constant_count_of(Formulation formulation) {
   switch (formulation) {
-    case Formulation::t4: return T4::constant_count;
-    case Formulation::t4anp: return T4::constant_count + 1;
-    case Formulation::h8_full: return H8Full::constant_count;
-    default: return H8::constant_count;
+    case Formulation::t4:
+      return T4::constant_count;
+    case Formulation::t4anp:
+      return T4::constant_count + 1;
+    case Formulation::h8_full:
+      return H8Full::constant_count;
+    default:
+      return H8::constant_count;
   }
 }
 
@@ -35,7 +39,7 @@ void element_constants(Formulation formulation, std::span<const Vec3<double>> X,
     T4::Constants<double> c = T4::make(corners);
     c.volume = std::abs(c.volume);
     append(c, constants);
-    if (formulation == Formulation::t4anp) constants.push_back(stiffness.bulk);
+    if (formulation == Formulation::t4anp) constants.push_back(1 / stiffness.bulk);
     return;
   }
   Vec3<double> corners[8];

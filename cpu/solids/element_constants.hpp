@@ -14,8 +14,9 @@ struct Stiffness {
   double hourglass = 0;  ///< coefficient times lambda + 2 mu
 };
 
-/// The constants of one element in the order of E::Constants (T4ANP: and the bulk modulus) from its rest positions [m], in the order
-/// in which the kernel visits the nodes. Strips may turn a tetrahedron inside out; its volume stays positive.
+/// The constants of one element in the order of E::Constants (T4ANP: and 1 / bulk modulus) from its rest
+/// positions [m], in the order in which the kernel visits the nodes. Strips may turn a tetrahedron inside
+/// out; its volume stays positive.
 void element_constants(Formulation formulation, std::span<const Vec3<double>> X, const Stiffness& stiffness,
                        std::vector<double>& constants);
 int constant_count_of(Formulation formulation);

@@ -8,7 +8,8 @@ namespace glisson::patches {
 
 ElementParameters::ElementParameters(const Model& model)
     : model_(model), section_(static_cast<std::size_t>(model.mesh.element_count()), -1) {
-  for (const Section& section : model.sections) own_values_.push_back(!section.material.element_parameters.empty());
+  for (const Section& section : model.sections)
+    own_values_.push_back(!section.material.element_parameters.empty());
   const bool places = std::find(own_values_.begin(), own_values_.end(), 1) != own_values_.end();
   if (places) place_.resize(section_.size());
   for (std::size_t s = 0; s < model.sections.size(); ++s) {
@@ -26,7 +27,8 @@ ElementParameters::Values ElementParameters::evaluate(int section, int place) co
   std::vector<double> parameters;
   element_parameters(its_section, static_cast<std::size_t>(place), parameters);
   const RestModuli moduli = rest_moduli(its_section.material.law, parameters);
-  return {{parameters.begin(), parameters.end()}, {moduli.bulk, hourglass_stiffness(its_section, parameters)}};
+  return {{parameters.begin(), parameters.end()},
+          {moduli.bulk, hourglass_stiffness(its_section, parameters)}};
 }
 
 const ElementParameters::Values& ElementParameters::operator()(int element) {

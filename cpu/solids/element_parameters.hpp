@@ -18,7 +18,9 @@ class ElementParameters {
   };
   int section_of(int element) const { return section_[static_cast<std::size_t>(element)]; }
   /// Parameters are the same for all elements of the section.
-  bool uniform(int section) const { return place_.empty() || own_values_[static_cast<std::size_t>(section)] == 0; }
+  bool uniform(int section) const {
+    return place_.empty() || own_values_[static_cast<std::size_t>(section)] == 0;
+  }
   /// Valid until the next call.
   const Values& operator()(int element);
 
@@ -26,8 +28,9 @@ class ElementParameters {
   Values evaluate(int section, int place) const;
 
   const Model& model_;
-  std::vector<int> section_;      ///< -1: none                                       [element_count]
-  std::vector<int> place_;        ///< within the section                             [element_count] or empty: nobody asks
+  std::vector<int> section_;  ///< -1: none                                       [element_count]
+  std::vector<int>
+      place_;  ///< within the section                             [element_count] or empty: nobody asks
   std::vector<char> own_values_;  ///< 1: elements of the section differ              [section_count]
   std::vector<Values> values_;    ///< of the section, or of the element asked last   [section_count]
 };

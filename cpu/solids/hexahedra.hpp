@@ -31,7 +31,9 @@ template <int W, class E>
 GLISSON_INLINE MaterialTile material_of_point(const Patch& patch, const Pass& pass, int tile, int point) {
   const int per_point = (pass.isochoric + pass.volumetric) * 6 * W;
   return {patch.parameters + tile * patch.parameter_stride,
-          patch.history + static_cast<std::size_t>(tile * E::point_count + point) * static_cast<std::size_t>(per_point), pass};
+          patch.history +
+              static_cast<std::size_t>(tile * E::point_count + point) * static_cast<std::size_t>(per_point),
+          pass};
 }
 
 template <int W, class Stress, class E>
@@ -57,7 +59,8 @@ double hexahedron_energy(const Patch& patch, const Pass& pass) {
   over_hexahedra<W, E>(patch, pass.local_rows, [&](const auto& constants, const Vec3<P>(&u)[8], int tile) {
     const MaterialTile material{patch.parameters + tile * patch.parameter_stride, nullptr, pass};
     E::points(constants, u, [&](const Mat3<P>& H, P weight, int) {
-      total += sum_of_lanes<W>(energy_of_any_law<W>(H, material) * weight);
+      // In empty lanes the mean dilatation of H8Full is 0 / 0.
+      total += sum_of_lanes<W>(select(weight > P(0), energy_of_any_law<W>(H, material) * weight, P(0)));
     });
   });
   return total;

@@ -15,11 +15,13 @@ const InstructionSet& choose_instruction_set(const char* name) {
     if (wanted == "auto" && set.available()) return set;
     if (wanted != set.name) continue;
     if (set.available()) return set;
-    throw Error(ErrorKind::device, "This machine does not have the instruction set " + wanted + ". Use auto.");
+    throw Error(ErrorKind::device,
+                "This machine does not have the instruction set " + wanted + ". Use auto.");
   }
   if (wanted == "auto")
-    throw Error(ErrorKind::device, "This machine has none of the instruction sets that this program was built for (" + known +
-                                       "). Use the device serial, or build the program on this machine.");
+    throw Error(ErrorKind::device,
+                "This machine has none of the instruction sets that this program was built for (" + known +
+                    "). Use the device serial, or build the program on this machine.");
   throw Error(ErrorKind::usage, "The instruction set " + wanted + " is not known. Use one of " + known + ".");
 }
 

@@ -28,13 +28,14 @@ struct FormulationTable {
   void (*functions[4])(const float* from, float* to) = {};
 };
 
-/// One law: functions that the kernels above call, and kernels of its own where the law is worth compiling into them.
+/// One law: functions that the kernels above call, and kernels of its own where the law is worth compiling
+/// into them.
 struct LawTable {
   const char* name = nullptr;  ///< as in files
   int parameter_count = 0;
   LawFunction elastic = nullptr, viscous = nullptr;  ///< P [Pa] as Mat3
   LawFunction energy = nullptr;                      ///< W [Pa]
-  PatchKernel forces[formulation_count] = {};          ///< null: take the general one
+  PatchKernel forces[formulation_count] = {};        ///< null: take the general one
   PatchKernel viscous_forces[formulation_count] = {};
 };
 
@@ -53,7 +54,8 @@ struct InstructionSets {
 };
 InstructionSets instruction_sets();
 
-/// "auto": the widest that this machine has. Throws Error(usage) for an unknown name, Error(device) for one not available.
+/// "auto": the widest that this machine has. Throws Error(usage) for an unknown name, Error(device) for one
+/// not available.
 const InstructionSet& choose_instruction_set(const char* name);
 
 }  // namespace glisson::patches

@@ -1,15 +1,11 @@
 // The functions of one law for one width, and the kernels that have the law compiled in.
 #pragma once
 
-#include <glisson/core/materials/neo_hookean.hpp>
 #include <glisson/cpu/solids/hexahedra.hpp>
 #include <glisson/cpu/solids/kernel_table.hpp>
 #include <glisson/cpu/solids/tetrahedra.hpp>
 
 namespace glisson::patches {
-
-template <>
-inline constexpr bool stress_scales_with_parameters<NeoHookean> = true;
 
 template <int W, class Stress>
 GLISSON_FLATTEN void stress_function(const void* H, const void* tile, void* P) {
@@ -23,6 +19,15 @@ void energy_function(const void* H, const void* tile, void* energy) {
                                        .energy(*static_cast<const Mat3<Pack<W>>*>(H));
 }
 
+template <int W, template <class> class Law>
+struct CompiledIn {
+  using Type = Elastic<W, Law>;
+};
+template <int W>
+struct CompiledIn<W, NeoHookean> {
+  using Type = ElasticNeoHookean<W>;
+};
+
 /// compiled_in: also kernels of its own, which avoid a call and a trip through memory per tile.
 template <int W, template <class> class Law, bool compiled_in>
 constexpr LawTable law_kernels() {
@@ -33,9 +38,10 @@ constexpr LawTable law_kernels() {
   k.viscous = stress_function<W, Viscous<W, Law>>;
   k.energy = energy_function<W, Law>;
   if constexpr (compiled_in) {
-    k.forces[0] = tetrahedron_forces<W, Elastic<W, Law>, false>;
-    k.forces[1] = tetrahedron_forces<W, Elastic<W, Law>, true>;
-    k.forces[2] = k.forces[3] = hexahedron_forces<W, Elastic<W, Law>, H8>;
+    using Stress = typename CompiledIn<W, Law>::Type;
+    k.forces[0] = tetrahedron_forces<W, Stress, false>;
+    k.forces[1] = tetrahedron_forces<W, Stress, true>;
+    k.forces[2] = k.forces[3] = hexahedron_forces<W, Stress, H8>;
     k.viscous_forces[0] = tetrahedron_forces<W, Viscous<W, Law>, false>;
   }
   return k;

@@ -20,8 +20,8 @@ void load_pressures(const Patch& patch, const Pass& pass) {
 
 /// sum(first row of a node, its number of rows) must give the sum; write(local node, sum) gets it, in order.
 template <int W, class Sum, class Write>
-GLISSON_INLINE void over_runs(const Patch& patch, int first, int last, const std::uint16_t*& row,
-                                                     int& node, Sum&& sum, Write&& write) {
+GLISSON_INLINE void over_runs(const Patch& patch, int first, int last, const std::uint16_t*& row, int& node,
+                              Sum&& sum, Write&& write) {
   for (int r = first; r < last; ++r) {
     const int rows = patch.run[r].rows;
     for (int end = node + patch.run[r].nodes; node < end; ++node, row += rows) write(node, sum(row, rows));
@@ -41,18 +41,22 @@ void sum_forces(const Patch& patch, const Pass& pass) {
   };
   const std::uint16_t* row = patch.row;
   int node = 0;
-  over_runs<W>(patch, 0, patch.interior_runs, row, node, sum, [&](int i, Row value) __attribute__((always_inline)) {
-    float* f = pass.f + 4 * static_cast<std::size_t>(patch.node[i]);
-    store_row(f, load_row(f) + value);
-  });
-  float* slot = pass.slot_force + 4 * (static_cast<std::size_t>(patch.slot) - static_cast<std::size_t>(patch.interior_count));
-  over_runs<W>(patch, patch.interior_runs, patch.runs, row, node, sum,
-               [&](int i, Row value) __attribute__((always_inline)) { store_row(slot + 4 * i, value); });
+  over_runs<W>(
+      patch, 0, patch.interior_runs, row, node, sum, [&](int i, Row value) __attribute__((always_inline)) {
+        float* f = pass.f + 4 * static_cast<std::size_t>(patch.node[i]);
+        store_row(f, load_row(f) + value);
+      });
+  float* slot = pass.slot_force +
+                4 * (static_cast<std::size_t>(patch.slot) - static_cast<std::size_t>(patch.interior_count));
+  over_runs<W>(
+      patch, patch.interior_runs, patch.runs, row, node,
+      sum, [&](int i, Row value) __attribute__((always_inline)) { store_row(slot + 4 * i, value); });
 }
 
 template <int W>
 void sum_pressures(const Patch& patch, const Pass& pass) {
-  const float* from = pass.force_rows + 12;  // row r of four floats, r >= 4, is number r of these; number 0 is 0
+  const float* from =
+      pass.force_rows + 12;  // row r of four floats, r >= 4, is number r of these; number 0 is 0
   auto sum = [=](const std::uint16_t* row, int rows) __attribute__((always_inline)) {
     float a = 0;
     for (int k = 0; k < rows; ++k) a += from[row[k] / 4];
@@ -60,12 +64,14 @@ void sum_pressures(const Patch& patch, const Pass& pass) {
   };
   const std::uint16_t* row = patch.row;
   int node = 0;
-  over_runs<W>(patch, 0, patch.interior_runs, row, node, sum, [&](int i, float value) __attribute__((always_inline)) {
-    pass.pressure[patch.node[i]] = value * pass.pressure_weight[patch.node[i]];
-  });
+  over_runs<W>(
+      patch, 0, patch.interior_runs, row, node, sum, [&](int i, float value) __attribute__((always_inline)) {
+        pass.pressure[patch.node[i]] = value * pass.pressure_weight[patch.node[i]];
+      });
   float* slot = pass.slot_pressure + (patch.slot - patch.interior_count);
-  over_runs<W>(patch, patch.interior_runs, patch.runs, row, node, sum,
-               [&](int i, float value) __attribute__((always_inline)) { slot[i] = value; });
+  over_runs<W>(
+      patch, patch.interior_runs, patch.runs, row, node,
+      sum, [&](int i, float value) __attribute__((always_inline)) { slot[i] = value; });
 }
 
 }  // namespace glisson::patches

@@ -37,16 +37,24 @@ Layout layout_of(Formulation formulation) {
   const int constants = constant_count_of(formulation);
   switch (formulation) {
     case Formulation::t4:
-    case Formulation::t4anp: return {strip_corners, strip_length, constants, 1, 256};
-    case Formulation::h8_full: return {8, 1, constants, 8, 256};
-    default: return {8, 1, constants, 1, 256};
+    case Formulation::t4anp:
+      return {strip_corners, strip_length, constants, 1, 256};
+    case Formulation::h8_full:
+      return {8, 1, constants, 8, 256};
+    default:
+      return {8, 1, constants, 1, 256};
   }
 }
 
-PatchBuilder::PatchBuilder(const Model& model, const Numbering& numbering, ElementParameters& parameters, int width,
-                           Arena& arena)
-    : model_(model), numbering_(numbering), parameters_(parameters), width_(width), arena_(arena),
-      valence_(model.mesh.X.size()), local_(model.mesh.X.size(), -1) {
+PatchBuilder::PatchBuilder(const Model& model, const Numbering& numbering, ElementParameters& parameters,
+                           int width, Arena& arena)
+    : model_(model),
+      numbering_(numbering),
+      parameters_(parameters),
+      width_(width),
+      arena_(arena),
+      valence_(model.mesh.X.size()),
+      local_(model.mesh.X.size(), -1) {
   for (const Section& section : model.sections)
     for (const int e : section.elements)
       for (const int n : model.mesh.element(e)) ++valence_[at(numbering.internal_of_user[at(n)])];
@@ -77,7 +85,8 @@ void PatchBuilder::add(Block& block, std::vector<int> elements, std::vector<Patc
     } else {
       items = tetrahedron_items(candidates);
     }
-    // Strips that came out short get a second chance with the next elements, but only one: else they would stay for ever.
+    // Strips that came out short get a second chance with the next elements, but only one: else they would
+    // stay for ever.
     const std::span<const int> waited(candidates.data(), old);
     for (Item& item : items) {
       auto has_waited = [&](int e) { return std::binary_search(waited.begin(), waited.end(), e); };
@@ -85,7 +94,8 @@ void PatchBuilder::add(Block& block, std::vector<int> elements, std::vector<Patc
     }
     left_over.clear();
     if (items.size() > items_per_patch && next < elements.size()) {
-      std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) { return a.urgency > b.urgency; });
+      std::stable_sort(items.begin(), items.end(),
+                       [&](const Item& a, const Item& b) { return a.urgency > b.urgency; });
       for (std::size_t i = items_per_patch; i < items.size(); ++i)
         for (const int e : items[i].element)
           if (e >= 0) left_over.push_back(e);
@@ -117,14 +127,15 @@ std::vector<Item> PatchBuilder::tetrahedron_items(std::span<const int> elements)
     Item item;
     item.corners = strip.corners();
     for (std::size_t k = 0; k < 6; ++k) item.node[k] = internal[at(strip.node[k])];
-    for (std::size_t j = 0; j < 3; ++j) item.element[j] = strip.element[j] < 0 ? -1 : elements[at(strip.element[j])];
+    for (std::size_t j = 0; j < 3; ++j)
+      item.element[j] = strip.element[j] < 0 ? -1 : elements[at(strip.element[j])];
     items.push_back(item);
   }
   return items;
 }
 
-std::vector<PatchBuilder::LocalNode> PatchBuilder::sorted_nodes(const Layout& layout, std::span<const Item> items,
-                                                                int& interior) {
+std::vector<PatchBuilder::LocalNode> PatchBuilder::sorted_nodes(const Layout& layout,
+                                                                std::span<const Item> items, int& interior) {
   std::vector<LocalNode> nodes;
   for (const Item& item : items)
     for (int k = 0; k < item.corners; ++k) {
@@ -136,14 +147,16 @@ std::vector<PatchBuilder::LocalNode> PatchBuilder::sorted_nodes(const Layout& la
       LocalNode& node = nodes[at(local)];
       ++node.rows;
       const int elements = item.corners - (layout.elements_per_item == 1 ? 7 : 3);
-      for (int j = 0; j < elements; ++j) node.elements += layout.elements_per_item == 1 || (k >= j && k <= j + 3);
+      for (int j = 0; j < elements; ++j)
+        node.elements += layout.elements_per_item == 1 || (k >= j && k <= j + 3);
     }
   auto shared = [&](const LocalNode& n) { return n.elements < valence_[at(n.node)]; };
   std::sort(nodes.begin(), nodes.end(), [&](const LocalNode& a, const LocalNode& b) {
     if (shared(a) != shared(b)) return shared(b);
     return even(a.rows) != even(b.rows) ? even(a.rows) < even(b.rows) : a.node < b.node;
   });
-  interior = static_cast<int>(std::count_if(nodes.begin(), nodes.end(), [&](const LocalNode& n) { return !shared(n); }));
+  interior = static_cast<int>(
+      std::count_if(nodes.begin(), nodes.end(), [&](const LocalNode& n) { return !shared(n); }));
   for (std::size_t i = 0; i < nodes.size(); ++i) local_[at(nodes[i].node)] = static_cast<int>(i);
   return nodes;
 }
@@ -178,12 +191,13 @@ bool PatchBuilder::same_parameters(std::span<const Item> items) {
   return true;
 }
 
-void PatchBuilder::write_elements(const Block& block, const Layout& layout, std::span<const Item> items, bool uniform,
-                                  const Patch& patch, const Arrays& to) {
+void PatchBuilder::write_elements(const Block& block, const Layout& layout, std::span<const Item> items,
+                                  bool uniform, const Patch& patch, const Arrays& to) {
   const auto W = at(width_);
   const std::vector<float> first = parameters_(items[0].element[0]).parameters;  // also for empty lanes
   const std::size_t places = at(patch.tiles * layout.elements_per_item), count = first.size();
-  for (std::size_t i = 0; i < (uniform ? 1 : places) * count * W; ++i) to.parameters[i] = first[i / W % count];
+  for (std::size_t i = 0; i < (uniform ? 1 : places) * count * W; ++i)
+    to.parameters[i] = first[i / W % count];
   if (to.element) std::fill_n(to.element, places * W, -1);
   std::vector<double> constants;
   std::array<Vec3<double>, 8> X;
@@ -194,7 +208,8 @@ void PatchBuilder::write_elements(const Block& block, const Layout& layout, std:
       const std::size_t place = i / W * at(layout.elements_per_item) + j, lane = i % W;
       const ElementParameters::Values& values = parameters_(e);
       if (!uniform)
-        for (std::size_t k = 0; k < count; ++k) to.parameters[(place * count + k) * W + lane] = values.parameters[k];
+        for (std::size_t k = 0; k < count; ++k)
+          to.parameters[(place * count + k) * W + lane] = values.parameters[k];
       for (std::size_t a = 0; a + j < 8; ++a)
         X[a] = model_.mesh.X[at(numbering_.user_of_internal[at(items[i].node[a + j])])];
       element_constants(block.formulation, X, values.stiffness, constants);
@@ -242,7 +257,8 @@ void PatchBuilder::add_patch(const Block& block, std::span<const Item> items, st
   auto* its_rows = reinterpret_cast<std::uint16_t*>(memory + row);
   auto* its_corners = reinterpret_cast<std::uint16_t*>(memory + corner);
   const Arrays arrays{block.terms() > 0 ? reinterpret_cast<int*>(memory + element) : nullptr,
-                      reinterpret_cast<float*>(memory + parameters), reinterpret_cast<float*>(memory + constants)};
+                      reinterpret_cast<float*>(memory + parameters),
+                      reinterpret_cast<float*>(memory + constants)};
   patch.history = reinterpret_cast<float*>(memory + history);
   std::transform(nodes.begin(), nodes.end(), its_nodes, [](const LocalNode& n) { return n.node; });
   std::copy(runs.begin(), runs.end(), its_runs);

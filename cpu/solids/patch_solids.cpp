@@ -30,7 +30,8 @@ std::vector<PronyCoefficients<float>> coefficients(const Block& block, double dt
 
 }  // namespace
 
-PatchSolids::PatchSolids(Threads& threads, const Model& model, const Numbering& numbering, const InstructionSet& set)
+PatchSolids::PatchSolids(Threads& threads, const Model& model, const Numbering& numbering,
+                         const InstructionSet& set)
     : threads_(threads), set_(set), kernels_(*set.formulations) {
   const int node_count = model.mesh.node_count(), width = kernels_.width;
   {
@@ -54,18 +55,20 @@ PatchSolids::PatchSolids(Threads& threads, const Model& model, const Numbering& 
 const LawTable& PatchSolids::law_named(const std::string& name) const {
   for (std::size_t i = 0; i < set_.law_count; ++i)
     if (name == set_.laws[i]->name) return *set_.laws[i];
-  throw Error(ErrorKind::input, "The law " + name + " does not exist. See the list of laws in the documentation.");
+  throw Error(ErrorKind::input,
+              "The law " + name + " does not exist. See the list of laws in the documentation.");
 }
 
-void PatchSolids::make_blocks(const Model& model, const Numbering& numbering, const ElementParameters& parameters,
-                              PatchBuilder& builder) {
+void PatchSolids::make_blocks(const Model& model, const Numbering& numbering,
+                              const ElementParameters& parameters, PatchBuilder& builder) {
   auto pairs = [](const std::vector<PronyTerm>& terms) {
     std::vector<std::pair<double, double>> result;
     for (const PronyTerm& t : terms) result.emplace_back(t.alpha, t.tau);
     return result;
   };
   auto key = [&](const Section& s) {
-    return std::tuple(s.formulation, s.material.law, pairs(s.material.isochoric), pairs(s.material.volumetric));
+    return std::tuple(s.formulation, s.material.law, pairs(s.material.isochoric),
+                      pairs(s.material.volumetric));
   };
   std::map<decltype(key(model.sections[0])), int> numbers;
   std::vector<int> block_of_section;
@@ -79,7 +82,8 @@ void PatchSolids::make_blocks(const Model& model, const Numbering& numbering, co
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     std::vector<int> elements;
     for (const int e : numbering.element_order)
-      if (parameters.section_of(e) >= 0 && block_of_section[at(parameters.section_of(e))] == static_cast<int>(b))
+      if (parameters.section_of(e) >= 0 &&
+          block_of_section[at(parameters.section_of(e))] == static_cast<int>(b))
         elements.push_back(e);
     Block& block = blocks_[b];
     builder.add(block, std::move(elements), patches_);
@@ -95,7 +99,8 @@ void PatchSolids::find_shared_nodes(int node_count, int slot_count) {
   std::vector<int> parts(at(node_count));
   auto over_slots = [&](auto&& visit) {
     for (const Patch& patch : patches_)
-      for (int i = patch.interior_count, slot = patch.slot; i < patch.node_count; ++i, ++slot) visit(patch.node[i], slot);
+      for (int i = patch.interior_count, slot = patch.slot; i < patch.node_count; ++i, ++slot)
+        visit(patch.node[i], slot);
   };
   over_slots([&](int node, int) { ++parts[at(node)]; });
   const auto count = std::count_if(parts.begin(), parts.end(), [](int p) { return p > 0; });
@@ -172,7 +177,8 @@ void PatchSolids::average_pressures(Pass pass, int thread) {
   const Share share = share_of(static_cast<int>(shared_.node.size()), thread, threads_.thread_count());
   for (int i = share.first; i < share.last; ++i) {
     float sum = 0;
-    for (int k = shared_.begin[at(i)]; k < shared_.begin[at(i) + 1]; ++k) sum += pass.slot_pressure[shared_.slots[at(k)]];
+    for (int k = shared_.begin[at(i)]; k < shared_.begin[at(i) + 1]; ++k)
+      sum += pass.slot_pressure[shared_.slots[at(k)]];
     const int node = shared_.node[at(i)];
     pass.pressure[node] = sum * pass.pressure_weight[node];
   }
@@ -234,12 +240,16 @@ double PatchSolids::sum_energy(const StepView<float>& step, Energy&& energy) {
 }
 
 double PatchSolids::strain_energy(const StepView<float>& step) {
-  return sum_energy(step, [&](const Block& b) { return kernels_.strain_energy[static_cast<std::size_t>(b.formulation)]; });
+  return sum_energy(
+      step, [&](const Block& b) { return kernels_.strain_energy[static_cast<std::size_t>(b.formulation)]; });
 }
 
 double PatchSolids::hourglass_energy(const StepView<float>& step) {
-  auto kernel = [&](const Block& b) { return kernels_.hourglass_energy[static_cast<std::size_t>(b.formulation)]; };
-  if (std::none_of(blocks_.begin(), blocks_.end(), [&](const Block& b) { return kernel(b) != nullptr; })) return 0;
+  auto kernel = [&](const Block& b) {
+    return kernels_.hourglass_energy[static_cast<std::size_t>(b.formulation)];
+  };
+  if (std::none_of(blocks_.begin(), blocks_.end(), [&](const Block& b) { return kernel(b) != nullptr; }))
+    return 0;
   return sum_energy(step, kernel);
 }
 
@@ -282,8 +292,9 @@ std::vector<double> PatchSolids::history() const {
 
 void PatchSolids::set_history(const std::vector<double>& values) {
   if (values.size() != history_size_)
-    throw Error(ErrorKind::input, "The saved history has " + std::to_string(values.size()) + " values, but the model needs " +
-                                      std::to_string(history_size_) + ": it belongs to another model.");
+    throw Error(ErrorKind::input, "The saved history has " + std::to_string(values.size()) +
+                                      " values, but the model needs " + std::to_string(history_size_) +
+                                      ": it belongs to another model.");
   visit_history([&](std::size_t place, float& value) { value = static_cast<float>(values[place]); });
 }
 
@@ -291,7 +302,8 @@ std::size_t PatchSolids::memory_bytes() const {
   auto ints = [](const std::vector<int>& v) { return v.capacity() * sizeof(int); };
   const std::size_t slots = shared_.slots.size();
   std::size_t floats = at(threads_.thread_count()) * at(scratch_floats_) + 4 * slots;
-  if (averages_pressure_) floats += slots + pressure_.get_deleter().count + pressure_weight_.get_deleter().count;
+  if (averages_pressure_)
+    floats += slots + pressure_.get_deleter().count + pressure_weight_.get_deleter().count;
   return arena_.used() + patches_.capacity() * sizeof(Patch) + ints(block_of_patch_) + ints(shared_.node) +
          ints(shared_.begin) + ints(shared_.slots) + floats * sizeof(float) +
          history_begin_.capacity() * sizeof(std::size_t) + patch_energy_.capacity() * sizeof(double);
@@ -301,10 +313,11 @@ std::size_t PatchSolids::memory_bytes() const {
 
 namespace glisson {
 
-std::unique_ptr<SolidForces<float>> make_patch_solids(Threads& threads, const Model& model, const Numbering& numbering,
+std::unique_ptr<SolidForces<float>> make_patch_solids(Threads& threads, const Model& model,
+                                                      const Numbering& numbering,
                                                       const std::string& instruction_set) {
   return std::make_unique<patches::PatchSolids>(threads, model, numbering,
-                                               patches::choose_instruction_set(instruction_set.c_str()));
+                                                patches::choose_instruction_set(instruction_set.c_str()));
 }
 
 std::string widest_instruction_set() { return patches::choose_instruction_set("auto").name; }

@@ -59,15 +59,16 @@ class PatchSolids final : public SolidForces<float> {
   std::vector<BlockPass> block_passes_;
   std::vector<Patch> patches_;
   std::vector<int> block_of_patch_;
-  std::vector<int> cut_;           ///< first patch of each thread           [threads + 1]
+  std::vector<int> cut_;  ///< first patch of each thread           [threads + 1]
   SharedNodes shared_;
   bool averages_pressure_ = false;
   int scratch_floats_ = 0, local_floats_ = 0;
-  Buffer<float> scratch_;          ///< local rows and force rows            [threads][scratch_floats]
-  Buffer<float> slot_force_;       ///< [slots][4]
+  Buffer<float> scratch_;     ///< local rows and force rows            [threads][scratch_floats]
+  Buffer<float> slot_force_;  ///< [slots][4]
   Buffer<float> slot_pressure_, pressure_, pressure_weight_;
   std::vector<double> patch_energy_;
-  std::vector<std::size_t> history_begin_;  ///< first value of an element in the canonical order [element_count]
+  std::vector<std::size_t>
+      history_begin_;  ///< first value of an element in the canonical order [element_count]
   std::size_t history_size_ = 0;
 };
 

@@ -28,12 +28,14 @@ Neighbours find_neighbours(Tetrahedra tetrahedra) {
   faces.reserve(4 * tetrahedra.size());
   for (int side = 0; side < static_cast<int>(4 * tetrahedra.size()); ++side)
     faces.push_back({face_key(tetrahedra[at(side / 4)], side % 4), side});
-  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.key != b.key ? a.key < b.key : a.side < b.side; });
+  std::sort(faces.begin(), faces.end(),
+            [](const Face& a, const Face& b) { return a.key != b.key ? a.key < b.key : a.side < b.side; });
   Neighbours neighbours(tetrahedra.size(), {-1, -1, -1, -1});
   for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
     if (faces[i].key != faces[i + 1].key) continue;
     const int a = faces[i].side, b = faces[i + 1].side;
-    if (tetrahedra[at(a / 4)][at(a % 4)] == tetrahedra[at(b / 4)][at(b % 4)]) continue;  // the same tetrahedron twice
+    if (tetrahedra[at(a / 4)][at(a % 4)] == tetrahedra[at(b / 4)][at(b % 4)])
+      continue;  // the same tetrahedron twice
     neighbours[at(a / 4)][at(a % 4)] = b / 4;
     neighbours[at(b / 4)][at(b % 4)] = a / 4;
     ++i;
@@ -43,7 +45,8 @@ Neighbours find_neighbours(Tetrahedra tetrahedra) {
 
 class Builder {
  public:
-  explicit Builder(Tetrahedra tetrahedra) : tetrahedra_(tetrahedra), neighbours_(find_neighbours(tetrahedra)) {}
+  explicit Builder(Tetrahedra tetrahedra)
+      : tetrahedra_(tetrahedra), neighbours_(find_neighbours(tetrahedra)) {}
 
   std::vector<Strip> build() {
     const int count = static_cast<int>(tetrahedra_.size());
@@ -85,7 +88,8 @@ class Builder {
       if (free(other)) waiting_[at(--degree_[at(other)])].push_back(other);
   }
 
-  /// The longest path from e or through e; of equally long ones that with the fewest ways on from its tetrahedra.
+  /// The longest path from e or through e; of equally long ones that with the fewest ways on from its
+  /// tetrahedra.
   std::array<int, 3> best_path(int e) const {
     std::array<int, 3> best{e, -1, -1};
     int best_cost = 100;
@@ -117,7 +121,8 @@ class Builder {
     return tetrahedra_[at(a)][0];
   }
 
-  /// Any path of three works: the node that the third drops is one of the face between the first two, whose order is free.
+  /// Any path of three works: the node that the third drops is one of the face between the first two, whose
+  /// order is free.
   Strip strip_of(const std::array<int, 3>& path) const {
     const auto& first = tetrahedra_[at(path[0])];
     Strip strip{{first[0], first[1], first[2], first[3], first[3], first[3]}, path};
@@ -142,6 +147,8 @@ class Builder {
 
 }  // namespace
 
-std::vector<Strip> build_strips(std::span<const std::array<int, 4>> tetrahedra) { return Builder(tetrahedra).build(); }
+std::vector<Strip> build_strips(std::span<const std::array<int, 4>> tetrahedra) {
+  return Builder(tetrahedra).build();
+}
 
 }  // namespace glisson::patches

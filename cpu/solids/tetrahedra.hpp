@@ -8,7 +8,7 @@
 
 namespace glisson::patches {
 
-/// Constants of T4 in memory: B row by row, volume; T4ANP adds the bulk modulus.
+/// Constants of T4 in memory: B row by row, volume; T4ANP adds 1 / bulk modulus.
 template <bool averaged>
 constexpr int tetrahedron_constants = T4::constant_count + (averaged ? 1 : 0);
 
@@ -21,10 +21,12 @@ GLISSON_INLINE T4::Constants<Pack<W>> load_tetrahedron(const float* constants) {
   return c;
 }
 
-/// Calls element(j, place, constants, H, sum of w of its nodes) for the tetrahedra j of strip tile `tile`, which may then add
-/// to corners j .. j + 3; a corner is finished by done(corner) when no later tetrahedron touches it.
+/// Calls element(j, place, constants, H, sum of w of its nodes) for the tetrahedra j of strip tile `tile`,
+/// which may then add to corners j .. j + 3; a corner is finished by done(corner) when no later tetrahedron
+/// touches it.
 template <int W, bool averaged, class Element, class Done>
-GLISSON_INLINE void along_strip(const Patch& patch, const float* rows, int tile, Element&& element, Done&& done) {
+GLISSON_INLINE void along_strip(const Patch& patch, const float* rows, int tile, Element&& element,
+                                Done&& done) {
   using P = Pack<W>;
   constexpr int count = tetrahedron_constants<averaged>;
   const std::uint16_t* corner = patch.corner + tile * strip_corners * W;
@@ -42,20 +44,21 @@ GLISSON_INLINE void along_strip(const Patch& patch, const float* rows, int tile,
     element(j, place, c, H, u[j].w + u[j + 1].w + u[j + 2].w + u[j + 3].w);
     done(j);
   });
-  unrolled<3>([&](auto a) __attribute__((always_inline)) { done(std::integral_constant<int, strip_length + a>()); });
+  unrolled<3>([&](auto a)
+                  __attribute__((always_inline)) { done(std::integral_constant<int, strip_length + a>()); });
 }
 
-/// H of F scaled to the volume of the averaged pressure: F <- s F, s^3 = J_mean / J, without cancellation at small strain.
-/// Joldes et al. 2009: J_mean - 1 = mean pressure / bulk modulus.
+/// H of F scaled to the volume of the averaged pressure: F <- s F, s^3 = J_mean / J, without cancellation at
+/// small strain and with one division. Joldes et al. 2009: J_mean - 1 = mean pressure / bulk modulus.
 template <int W>
 GLISSON_INLINE Mat3<Pack<W>> scaled_to_volume(const Mat3<Pack<W>>& H, Pack<W> mean_J_minus_1) {
   using P = Pack<W>;
   Mat3<P> D;
   P J_minus_1;
   volume_terms(H, D, J_minus_1);
-  const P one(1), J = J_minus_1 + one, mean_J = mean_J_minus_1 + one;
-  const P inverse = rcbrt(J / mean_J), r = (mean_J_minus_1 - J_minus_1) / J;
-  const P s = inverse, s_minus_1 = r / (s * s + s + one);
+  const P one(1), y = rcbrt(J_minus_1 + one), mean_J = mean_J_minus_1 + one, z = rcbrt(mean_J);
+  const P s = y * (mean_J * z * z), r = (mean_J_minus_1 - J_minus_1) * (y * y * y);  // r = s^3 - 1
+  const P s_minus_1 = r / (s * s + s + one);
   Mat3<P> scaled;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) scaled.m[i][k] = s * H.m[i][k];
@@ -63,11 +66,27 @@ GLISSON_INLINE Mat3<Pack<W>> scaled_to_volume(const Mat3<Pack<W>>& H, Pack<W> me
   return scaled;
 }
 
-/// Sum of pressures at the corners (a quarter each) over the bulk modulus; 0 in empty lanes, where both are 0.
+/// The sum of `pressure` (a quarter at each corner) over the bulk modulus, of which the inverse is stored; 0
+/// in empty lanes.
 template <int W>
 GLISSON_INLINE Pack<W> mean_volume_change(const float* constants, Pack<W> pressure) {
-  const Pack<W> kappa = Pack<W>::load(constants + 10 * W);
-  return pressure / select(kappa > Pack<W>(0), kappa, Pack<W>(1));
+  return pressure * Pack<W>::load(constants + 10 * W);
+}
+
+/// V P of T4ANP for the law, in closed form where there is one: Stress::averaged.
+template <int W, class Stress>
+GLISSON_INLINE Mat3<Pack<W>> weighted_stress_averaged(const Mat3<Pack<W>>& H, const MaterialTile& material,
+                                                      Pack<W> volume, Pack<W> mean_J_minus_1,
+                                                      Pack<W> pressure) {
+  Mat3<Pack<W>> result;
+  if constexpr (requires { Stress::averaged(H, material, volume, mean_J_minus_1, pressure); }) {
+    result = Stress::averaged(H, material, volume, mean_J_minus_1, pressure);
+  } else {
+    Stress::stress(scaled_to_volume<W>(H, mean_J_minus_1), material, result);
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) result.m[i][k] = volume * result.m[i][k];
+  }
+  return result;
 }
 
 template <int W, class Stress, bool averaged>
@@ -76,15 +95,18 @@ GLISSON_FLATTEN void tetrahedron_forces(const Patch& patch, const Pass& pass) {
   const int history_stride = (pass.isochoric + pass.volumetric) * 6 * W;
   for (int tile = 0; tile < patch.tiles; ++tile) {
     Vec3<P> f[strip_corners];
-    auto element = [&](auto j, const float* constants, const T4::Constants<P>& c, Mat3<P> H, P pressure)
-                       __attribute__((always_inline)) {
-      if constexpr (averaged) H = scaled_to_volume<W>(H, mean_volume_change<W>(constants, pressure));
+    auto element = [&](auto j, const float* constants, const T4::Constants<P>& c, const Mat3<P>& H,
+                       P pressure) __attribute__((always_inline)) {
       const int place = tile * strip_length + j;
       const MaterialTile material{patch.parameters + place * patch.parameter_stride,
                                   patch.history + place * history_stride, pass};
       Mat3<P> stress;
       T4::Constants<P> weighted = c;
-      if constexpr (Stress::gives_volume_times_stress) {
+      if constexpr (averaged) {
+        stress = weighted_stress_averaged<W, Stress>(H, material, c.volume,
+                                                     mean_volume_change<W>(constants, pressure), pressure);
+        weighted.volume = P(1);
+      } else if constexpr (Stress::gives_volume_times_stress) {
         Stress::stress(H, material, c.volume, stress);
         weighted.volume = P(1);
       } else {
@@ -95,9 +117,10 @@ GLISSON_FLATTEN void tetrahedron_forces(const Patch& patch, const Pass& pass) {
       for (int a = 0; a < 4; ++a) f[j + a] = f[j + a] + g[a];
     };
     float* rows = pass.force_rows + 16 + tile * strip_corners * 4 * W;
-    along_strip<W, averaged>(patch, pass.local_rows, tile, element, [&](auto corner) __attribute__((always_inline)) {
-      store_nodes<W>(rows + corner * 4 * W, f[corner]);
-    });
+    along_strip<W, averaged>(
+        patch, pass.local_rows, tile, element, [&](auto corner) __attribute__((always_inline)) {
+          store_nodes<W>(rows + corner * 4 * W, f[corner]);
+        });
   }
 }
 
@@ -108,17 +131,19 @@ GLISSON_FLATTEN void tetrahedron_pressures(const Patch& patch, const Pass& pass)
   for (int tile = 0; tile < patch.tiles; ++tile) {
     P sum[strip_corners];
     auto element = [&](auto j, const float* constants, const T4::Constants<P>& c, const Mat3<P>& H, P)
-                       __attribute__((always_inline)) {
+        __attribute__((always_inline)) {
       Mat3<P> D;
       P J_minus_1;
       volume_terms(H, D, J_minus_1);
-      const P part = P::load(constants + 10 * W) * J_minus_1 * c.volume;
+      const P inverse_kappa = P::load(constants + 10 * W);
+      const P part = J_minus_1 * c.volume / select(inverse_kappa > P(0), inverse_kappa, P(1));
       for (int a = 0; a < 4; ++a) sum[j + a] = sum[j + a] + part;
     };
     float* values = pass.force_rows + 16 + tile * strip_corners * W;
-    along_strip<W, true>(patch, pass.local_rows, tile, element, [&](auto corner) __attribute__((always_inline)) {
-      store_scalars<W>(values + corner * W, sum[corner]);
-    });
+    along_strip<W, true>(
+        patch, pass.local_rows, tile, element, [&](auto corner) __attribute__((always_inline)) {
+          store_scalars<W>(values + corner * W, sum[corner]);
+        });
   }
 }
 
@@ -128,7 +153,7 @@ double tetrahedron_energy(const Patch& patch, const Pass& pass) {
   double total = 0;
   for (int tile = 0; tile < patch.tiles; ++tile) {
     auto element = [&](auto j, const float* constants, const T4::Constants<P>& c, Mat3<P> H, P pressure)
-                       __attribute__((always_inline)) {
+        __attribute__((always_inline)) {
       if constexpr (averaged) H = scaled_to_volume<W>(H, mean_volume_change<W>(constants, pressure));
       const int place = (tile * strip_length + j) * patch.parameter_stride;
       const MaterialTile material{patch.parameters + place, nullptr, pass};

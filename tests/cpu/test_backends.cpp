@@ -1,8 +1,8 @@
 // What every backend of the CPU promises.
 #include <cmath>
-#include <numeric>
 #include <cstdint>
 #include <ctime>
+#include <numeric>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -142,7 +142,12 @@ TEST(EmulatedDeviceDeathTest, StopsHostReadsAndReadsPastTheEnd) {
   const auto buffer = device.allocate<int>(16);
   const auto sum = device.allocate<int>(1);
   device.for_each(16, Twice{buffer.get(), buffer.get()});
-  EXPECT_DEATH({ volatile int value = buffer[0]; static_cast<void>(value); }, "");
+  EXPECT_DEATH(
+      {
+        volatile int value = buffer[0];
+        static_cast<void>(value);
+      },
+      "");
   EXPECT_DEATH(device.for_each(1, Twice{buffer.get() + 16, sum.get()}), "");
 }
 
