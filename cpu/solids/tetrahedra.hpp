@@ -154,10 +154,18 @@ double tetrahedron_energy(const Patch& patch, const Pass& pass) {
   for (int tile = 0; tile < patch.tiles; ++tile) {
     auto element = [&](auto j, const float* constants, const T4::Constants<P>& c, Mat3<P> H, P pressure)
         __attribute__((always_inline)) {
-      if constexpr (averaged) H = scaled_to_volume<W>(H, mean_volume_change<W>(constants, pressure));
+      P volumetric(0);
+      if constexpr (averaged) {  // see AveragedEnergy of core/kernels/averaged_pressure.hpp
+        const P mean = mean_volume_change<W>(constants, pressure);
+        Mat3<P> D;
+        P J_minus_1;
+        volume_terms(H, D, J_minus_1);
+        volumetric = P(0.5) * pressure * (J_minus_1 - mean);
+        H = scaled_to_volume<W>(H, mean);
+      }
       const int place = (tile * strip_length + j) * patch.parameter_stride;
       const MaterialTile material{patch.parameters + place, nullptr, pass};
-      total += sum_of_lanes<W>(energy_of_any_law<W>(H, material) * c.volume);
+      total += sum_of_lanes<W>((energy_of_any_law<W>(H, material) + volumetric) * c.volume);
     };
     along_strip<W, averaged>(patch, pass.local_rows, tile, element, [](auto) {});
   }
