@@ -16,9 +16,9 @@ namespace glisson {
 enum class Formulation {
   t4,        ///< linear tetrahedron
   t4anp,     ///< tetrahedron with nodal-averaged pressure (Joldes et al. 2009)
-  h8,        ///< one-point hexahedron, stiffness hourglass control that rotates with the element (Joldes et al. 2008)
-  h8_fixed,  ///< the same with the constant reference hourglass matrix of NiftySim; not invariant to rotation
-  h8_full,   ///< 2x2x2 points with F-bar against volumetric locking (de Souza Neto et al. 1996)
+  h8,        ///< one-point hexahedron with mean gradients and stiffness hourglass control (Joldes et al. 2008)
+  h8_fixed,  ///< the same with gradients of the centre and hourglass modulus lambda + 2 mu, as NiftySim has it
+  h8_full,   ///< 2x2x2 points with the mean dilatation against volumetric locking (Simo, Taylor & Pister 1985)
 };
 const char* name_of(Formulation formulation);
 Shape shape_of(Formulation formulation);

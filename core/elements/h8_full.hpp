@@ -6,9 +6,11 @@
 
 namespace glisson {
 
-/// Every point sees Fbar = s F with s = (Jbar / J)^(1/3) and Jbar = mean of J over the element (Simo, Taylor & Pister 1985, in the form of
-/// Moran, Ortiz & Shih 1990). Stress from the energy sum_p w_p W(Fbar_p), so forces are its exact derivative:
-///   P_p = s Pbar_p + (theta - s (Pbar:F) / (3 J))_p cof F_p,   theta = sum_q w_q s_q (Pbar:F)_q / (3 Jbar V).
+/// Every point sees Fbar = s F with s = (Jbar / J)^(1/3) and Jbar = mean of J over the element (Simo, Taylor
+/// & Pister 1985, in the form of Moran, Ortiz & Shih 1990). Stress from the energy sum_p w_p W(Fbar_p), so
+/// forces are its exact derivative:
+///   P_p = s Pbar_p + (theta - s (Pbar:F) / (3 J))_p cof F_p,   theta = sum_q w_q s_q (Pbar:F)_q / (3 Jbar
+///   V).
 struct H8Full {
   static constexpr int node_count = 8;
   static constexpr int point_count = 8;
@@ -27,7 +29,9 @@ struct H8Full {
   };
 
   /// Coordinate of point p along an axis of the reference cube.
-  GLISSON_HD static constexpr double coordinate(int p, int axis) { return corner_sign(p, axis) * 0.57735026918962576451; }
+  GLISSON_HD static constexpr double coordinate(int p, int axis) {
+    return corner_sign(p, axis) * 0.57735026918962576451;
+  }
 
   /// du / dX at point p. In modes, 8 du/dxi = d_0 + eta h_2 + zeta h_1 + eta zeta h_3, and so on.
   template <class R>
@@ -49,11 +53,13 @@ struct H8Full {
   /// Adds w P dN in modes: the transpose of gradient().
   template <class R>
   GLISSON_HD static void add_forces(const Constants<R>& c, const Mat3<R>& P, int p, Modes<R>& f) {
-    const R x = R(coordinate(p, 0)), y = R(coordinate(p, 1)), z = R(coordinate(p, 2)), w = R(0.125) * c.weight[p];
+    const R x = R(coordinate(p, 0)), y = R(coordinate(p, 1)), z = R(coordinate(p, 2)),
+            w = R(0.125) * c.weight[p];
     Vec3<R> local[3];
     for (int j = 0; j < 3; ++j) {
       auto row = [&](int i) {
-        return w * (P.m[i][0] * c.inverse[p][j][0] + P.m[i][1] * c.inverse[p][j][1] + P.m[i][2] * c.inverse[p][j][2]);
+        return w * (P.m[i][0] * c.inverse[p][j][0] + P.m[i][1] * c.inverse[p][j][1] +
+                    P.m[i][2] * c.inverse[p][j][2]);
       };
       local[j] = {row(0), row(1), row(2)};
       f.d[j] = f.d[j] + local[j];
@@ -102,7 +108,8 @@ struct H8Full {
   }
 
   template <class R, class Stress>
-  GLISSON_HD static void forces(const Constants<R>& c, const Vec3<R> (&u)[8], const Stress& stress, Vec3<R> (&f)[8]) {
+  GLISSON_HD static void forces(const Constants<R>& c, const Vec3<R> (&u)[8], const Stress& stress,
+                                Vec3<R> (&f)[8]) {
     R J_minus_1[8], volume, theta = R(0);
     Modes<R> modes, own_part, g;  // g: what theta multiplies, sum_p w cof F dN
     hexahedron_modes(u, modes.d, modes.h);

@@ -18,13 +18,20 @@ GLISSON_HD constexpr int corner_sign(int a, int axis) {
 constexpr int mode_sign(int mode, int a) {
   const int x = corner_sign(a, 0), y = corner_sign(a, 1), z = corner_sign(a, 2);
   switch (mode) {
-    case 0: return x;
-    case 1: return y;
-    case 2: return z;
-    case 3: return y * z;
-    case 4: return x * z;
-    case 5: return x * y;
-    default: return x * y * z;
+    case 0:
+      return x;
+    case 1:
+      return y;
+    case 2:
+      return z;
+    case 3:
+      return y * z;
+    case 4:
+      return x * z;
+    case 5:
+      return x * y;
+    default:
+      return x * y * z;
   }
 }
 
@@ -34,7 +41,8 @@ inline double hexahedron_mode(int mode, const double (&values)[8]) {
   return sum;
 }
 
-/// Walsh-Hadamard transform of nodal vectors: d = linear modes, h = hourglass modes (eta zeta, xi zeta, xi eta, xi eta zeta).
+/// Walsh-Hadamard transform of nodal vectors: d = linear modes, h = hourglass modes (eta zeta, xi zeta, xi
+/// eta, xi eta zeta).
 template <class R>
 GLISSON_HD void hexahedron_modes(const Vec3<R> (&u)[8], Vec3<R> (&d)[3], Vec3<R> (&h)[4]) {
   const Vec3<R> s0 = u[0] + u[1], s1 = u[3] + u[2], s2 = u[4] + u[5], s3 = u[7] + u[6];
@@ -95,7 +103,8 @@ inline void gauss_point(int p, double (&point)[3]) {
   for (int j = 0; j < 3; ++j) point[j] = corner_sign(p, j) / std::sqrt(3.0);
 }
 
-/// Exact volume and volume-averaged gradient (Flanagan & Belytschko 1981): 2x2x2 points integrate det J dN exactly.
+/// Exact volume and volume-averaged gradient (Flanagan & Belytschko 1981): 2x2x2 points integrate det J dN
+/// exactly.
 inline HexahedronGradient mean_gradient(const Vec3<double> (&X)[8]) {
   HexahedronGradient mean{};
   for (int p = 0; p < 8; ++p) {

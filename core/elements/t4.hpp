@@ -5,7 +5,8 @@
 
 namespace glisson {
 
-/// Johnsen 2016, eq. 4.11. Stored: the inverse rest edge matrix and the volume, 10 numbers (they beat 12 shape derivatives).
+/// Johnsen 2016, eq. 4.11. Stored: the inverse rest edge matrix and the volume, 10 numbers (they beat 12
+/// shape derivatives).
 struct T4 {
   static constexpr int node_count = 4;
   static constexpr int point_count = 1;
@@ -45,7 +46,8 @@ struct T4 {
 
   /// f <- forces on the nodes; stress(H, point) gives P.
   template <class R, class Stress>
-  GLISSON_HD static void forces(const Constants<R>& c, const Vec3<R> (&u)[4], const Stress& stress, Vec3<R> (&f)[4]) {
+  GLISSON_HD static void forces(const Constants<R>& c, const Vec3<R> (&u)[4], const Stress& stress,
+                                Vec3<R> (&f)[4]) {
     nodal_forces(c, stress(displacement_gradient(c, u), 0), f);
   }
   /// visit(H, weight [m^3], point) for each integration point.

@@ -1,5 +1,6 @@
-// Loop bodies of the solid elements, plain form: one element per index, forces into a buffer per element, then one gather per node in
-// a fixed order. Every backend can launch them; they are the definition that faster forms are compared with.
+// Loop bodies of the solid elements, plain form: one element per index, forces into a buffer per element,
+// then one gather per node in a fixed order. Every backend can launch them; they are the definition that
+// faster forms are compared with.
 #pragma once
 
 #include <glisson/core/materials/prony.hpp>
@@ -7,21 +8,23 @@
 
 namespace glisson {
 
-/// Arrays of one block of elements with the same formulation, law and Prony terms. All in the backend's memory.
+/// Arrays of one block of elements with the same formulation, law and Prony terms. All in the backend's
+/// memory.
 template <class R>
 struct BlockView {
-  const void* constants = nullptr;   ///< E::Constants<R>                                  [element_count]
-  const int* nodes = nullptr;        ///< internal node numbers [-]                        [element_count][node_count]
-  const R* parameters = nullptr;     ///< of the law                                       [element_count or 1][parameter_count]
+  const void* constants = nullptr;  ///< E::Constants<R>                                  [element_count]
+  const int* nodes = nullptr;       ///< internal node numbers [-] [element_count][node_count]
+  const R* parameters =
+      nullptr;  ///< of the law                                       [element_count or 1][parameter_count]
   const PronyCoefficients<R>* terms = nullptr;  ///< [isochoric + volumetric]
-  R* history = nullptr;              ///< Y [Pa]                                           [point][term][6][element_count]
-  Vec4<R>* f_element = nullptr;      ///< force of each element on its nodes [N]           [element_count][node_count]
-  R* volume_change = nullptr;        ///< T4ANP: kappa (J - 1) of the element [Pa]         [element_count]
-  const R* nodal_pressure = nullptr; ///< T4ANP: mean pressure of the node [Pa]            [mesh node_count]
-  double* energy = nullptr;          ///< [J]                                              [element_count]
+  R* history = nullptr;  ///< Y [Pa]                                           [point][term][6][element_count]
+  Vec4<R>* f_element = nullptr;       ///< force of each element on its nodes [N] [element_count][node_count]
+  R* volume_change = nullptr;         ///< T4ANP: kappa (J - 1) of the element [Pa]         [element_count]
+  const R* nodal_pressure = nullptr;  ///< T4ANP: mean pressure of the node [Pa]            [mesh node_count]
+  double* energy = nullptr;           ///< [J]                                              [element_count]
   int element_count = 0;
   int isochoric_count = 0, volumetric_count = 0;
-  bool per_element = false;          ///< parameters differ between elements
+  bool per_element = false;  ///< parameters differ between elements
 };
 
 /// What one evaluation needs of the step.
@@ -89,7 +92,8 @@ struct ElementEnergy {
     const L law = law_of<R, L>(block, e);
     const auto& c = static_cast<const typename E::template Constants<R>*>(block.constants)[e];
     double sum = 0;
-    E::points(c, u_e, [&](const Mat3<R>& H, R weight, int) { sum += double(weight) * double(law.energy(H)); });
+    E::points(c, u_e,
+              [&](const Mat3<R>& H, R weight, int) { sum += double(weight) * double(law.energy(H)); });
     block.energy[e] = sum;
   }
 };
@@ -101,16 +105,16 @@ struct ElementHourglassEnergy {
   GLISSON_HD void operator()(int e) const {
     Vec3<R> u_e[E::node_count];
     gather<R, E>(block.nodes, e, now.u, u_e);
-    block.energy[e] =
-        double(E::hourglass_energy(static_cast<const typename E::template Constants<R>*>(block.constants)[e], u_e));
+    block.energy[e] = double(
+        E::hourglass_energy(static_cast<const typename E::template Constants<R>*>(block.constants)[e], u_e));
   }
 };
 
 /// f += sum of element forces, in the order of the incidence list.
 template <class R>
 struct GatherForces {
-  const int* begin;          ///< [mesh node_count + 1]
-  const int* slot;           ///< places in f_element, by element [begin.back()]
+  const int* begin;  ///< [mesh node_count + 1]
+  const int* slot;   ///< places in f_element, by element [begin.back()]
   const Vec4<R>* f_element;
   Vec4<R>* f;
   GLISSON_HD void operator()(int n) const {

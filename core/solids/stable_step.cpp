@@ -1,14 +1,15 @@
 #include <glisson/core/solids/stable_step.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Dense>
 
-#include <glisson/core/elements/h8.hpp>
+#include <glisson/core/elements/hexahedron.hpp>
 #include <glisson/core/elements/t4.hpp>
 #include <glisson/core/solids/section_laws.hpp>
-#include <glisson/core/tensor/eigen_symmetric.hpp>
+#include <glisson/core/tensor/symmetric.hpp>
 
 namespace glisson {
 namespace {
@@ -19,22 +20,36 @@ namespace {
 struct Stiffest {
   double bulk, shear;
 };
+
+/// Eigenvalues of a symmetric 3x3 matrix, largest first, by the trigonometric solution of the cubic (Smith
+/// 1961). Absolute error about 1e-16 of the largest, which is the one that matters here; four times faster
+/// than rotations.
+std::array<double, 3> eigenvalues(const Sym3<double>& a) {
+  const double mean = trace(a) / 3;
+  const Sym3<double> d = deviator(a);
+  const double p = std::sqrt(contract(d, d) / 6);
+  if (!(p > 0)) return {mean, mean, mean};
+  const double r = std::clamp(determinant((1 / p) * d) / 2, -1.0, 1.0), angle = std::acos(r) / 3;
+  const double first = mean + 2 * p * std::cos(angle),
+               last = mean + 2 * p * std::cos(angle + 2.0943951023931957);
+  return {first, 3 * mean - first - last, last};
+}
+
 Stiffest stiffest(const RestModuli& moduli) { return {moduli.bulk, 0.75 * (moduli.wave - moduli.bulk)}; }
 
 /// Largest eigenvalue of D B B^T [Pa/m^2], the nonzero spectrum of B^T D B, for one point with G = sum_a dN_a
 /// dN_a^T. It maps a stress s to D sym(s G). Along the principal axes of G (values g) shear stresses
 /// decouple, mu (g_i + g_j), and the normal ones leave the matrix 2 mu diag(g) + lambda sqrt(g_i g_j).
 double point_stiffness(const Sym3<double>& G, const Stiffest& solid) {
-  const auto e = eigen_symmetric(G);
+  const auto e = eigenvalues(G);
   const double mu = solid.shear, lambda = solid.bulk - 2.0 / 3 * mu;
   double g[3], root[3], shear = 0;
-  for (int i = 0; i < 3; ++i) g[i] = std::max(e.value[i], 0.0), root[i] = std::sqrt(g[i]);
+  for (int i = 0; i < 3; ++i) g[i] = std::max(e[std::size_t(i)], 0.0), root[i] = std::sqrt(g[i]);
   for (int i = 0; i < 3; ++i) shear = std::max(shear, mu * (g[i] + g[(i + 1) % 3]));
   const Sym3<double> normal{(2 * mu + lambda) * g[0],   (2 * mu + lambda) * g[1],
                             (2 * mu + lambda) * g[2],   lambda * root[0] * root[1],
                             lambda * root[1] * root[2], lambda * root[0] * root[2]};
-  const auto n = eigen_symmetric(normal);
-  return std::max({shear, n.value[0], n.value[1], n.value[2]});
+  return std::max(shear, eigenvalues(normal)[0]);
 }
 
 Sym3<double> gram(const HexahedronGradient& g) {
@@ -70,7 +85,7 @@ double of_two_projections(double a, double b, double cos2) {
 /// Gradients and hourglass vectors are orthogonal in a parallelepiped. Otherwise cos^2 between their spans is
 /// bounded by the sum of the squares of all principal cosines.
 ElementStiffness one_point(const Vec3<double> (&X)[8], const Stiffest& solid,
-                           const HexahedronGradient& gradient, double k) {
+                           const HexahedronGradient& gradient, double exact_volume, double modulus) {
   Eigen::Matrix<double, 8, 3> B;
   Eigen::Matrix<double, 8, 4> hourglass;
   for (int a = 0; a < 8; ++a) {
@@ -87,13 +102,13 @@ ElementStiffness one_point(const Vec3<double> (&X)[8], const Stiffest& solid,
   const double largest =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(springs, Eigen::EigenvaluesOnly).eigenvalues()(3);
   const Sym3<double> G = gram(gradient);
-  return {of_two_projections(gradient.volume * point_stiffness(G, solid), k * largest, cos2),
-          mean_gradient(X).volume, trace(G)};
+  const double k = modulus * exact_volume * trace(G) / 8;
+  return {of_two_projections(gradient.volume * point_stiffness(G, solid), k * largest, cos2), exact_volume,
+          trace(G)};
 }
 
 /// K <= sum of the points' largest eigenvalues, with the volumetric part at each point (the mean has no more
-/// energy) or once for the mean gradient; the smaller of the two counts. On cubes 2/omega comes out 0.7 to 1
-/// times the exact one.
+/// energy) or once for the mean gradient; the smaller of the two counts.
 ElementStiffness full(const Vec3<double> (&X)[8], const Stiffest& solid) {
   double together = 0, isochoric = 0;
   for (int p = 0; p < 8; ++p) {
@@ -124,14 +139,10 @@ ElementStiffness stiffness_of(const Mesh& mesh, int e, const Section& section, c
   }
   Vec3<double> X[8];
   corners(mesh, e, X);
-  switch (section.formulation) {
-    case Formulation::h8:
-      return one_point(X, solid, mean_gradient(X), H8::make(X, hourglass).hourglass);
-    case Formulation::h8_fixed:
-      return one_point(X, solid, centre_gradient(X), H8::make_fixed(X, hourglass).hourglass);
-    default:
-      return full(X, solid);
-  }
+  if (section.formulation == Formulation::h8_full) return full(X, solid);
+  const HexahedronGradient mean = mean_gradient(X);
+  const bool fixed = section.formulation == Formulation::h8_fixed;
+  return one_point(X, solid, fixed ? centre_gradient(X) : mean, mean.volume, hourglass);
 }
 
 }  // namespace
