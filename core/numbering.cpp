@@ -38,7 +38,9 @@ std::uint64_t morton_key(const Mesh& mesh, int e, const Bounds& bounds) {
   Vec3<double> sum{};
   for (const int n : nodes) sum = sum + mesh.X[static_cast<std::size_t>(n)];
   const double scale = 2097151 / bounds.size(), share = 1.0 / double(nodes.size());
-  auto cell = [&](double c, double low) { return static_cast<std::uint64_t>(std::max(0.0, (c * share - low) * scale)); };
+  auto cell = [&](double c, double low) {
+    return static_cast<std::uint64_t>(std::max(0.0, (c * share - low) * scale));
+  };
   return spread(cell(sum.x, bounds.low.x)) | spread(cell(sum.y, bounds.low.y)) << 1 |
          spread(cell(sum.z, bounds.low.z)) << 2;
 }
