@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <iosfwd>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,12 +16,12 @@ namespace glisson {
 /// All in [J].
 struct Energies {
   double kinetic = 0, strain = 0, hourglass = 0;
-  double viscous = 0;          ///< dissipated by Prony terms (internal work minus strain energy); 0 without them
-  double damping = 0;          ///< dissipated by mass-proportional damping
-  double external = 0;         ///< work of forces, pressure, gravity, springs, user providers
-  double prescribed = 0;       ///< work of the reactions at prescribed nodes
-  double contact = 0;          ///< work of rigid bodies on the nodes
-  double initial = 0;          ///< kinetic energy at the start
+  double viscous = 0;     ///< dissipated by Prony terms (internal work minus strain energy); 0 without them
+  double damping = 0;     ///< dissipated by mass-proportional damping
+  double external = 0;    ///< work of forces, pressure, gravity, springs, user providers
+  double prescribed = 0;  ///< work of the reactions at prescribed nodes
+  double contact = 0;     ///< work of rigid bodies on the nodes
+  double initial = 0;     ///< kinetic energy at the start
   /// initial + external + prescribed + contact - kinetic - strain - hourglass - viscous - damping
   double imbalance() const {
     return initial + external + prescribed + contact - kinetic - strain - hourglass - viscous - damping;
@@ -36,12 +36,13 @@ struct ElementFields {
 };
 
 struct StepReport {
-  double dt = 0;             ///< step in use [s]
-  double stable_step = 0;    ///< last estimate [s]
-  std::string limited_by;    ///< "element 17 (T4, NH)" or a provider's name
-  double added_mass = 0;     ///< by mass scaling, share of the mass [-]
+  double dt = 0;                   ///< step in use [s]
+  double stable_step = 0;          ///< last estimate [s]
+  std::string limited_by;          ///< "element 17 (T4, NH)" or a provider's name
+  double added_mass = 0;           ///< by mass scaling, share of the mass [-]
   std::int64_t planned_steps = 0;  ///< to the end of the run; 0 in quasi-static mode
-  std::string ending;              ///< quasi-static: "converged", "stalled: ...", "not converged: ..."; empty before the end
+  std::string
+      ending;  ///< quasi-static: "converged", "stalled: ...", "not converged: ..."; empty before the end
   std::int64_t energies_every = 1;  ///< steps between two energy accounts
 };
 
@@ -50,8 +51,8 @@ class AnySimulation {
  public:
   virtual ~AnySimulation() = default;
 
-  /// Advances `count` steps. Throws Error(run) that names node, element, step and likely cause when the state is not finite
-  /// or the energy balance is lost.
+  /// Advances `count` steps. Throws Error(run) that names node, element, step and likely cause when the state
+  /// is not finite or the energy balance is lost.
   virtual void step(std::int64_t count = 1) = 0;
   /// True at the end of the run: time reached, or converged in quasi-static mode.
   virtual bool finished() const = 0;
@@ -62,9 +63,10 @@ class AnySimulation {
   /// Residuals of quasi-static mode: {force, displacement}; both 0 in a dynamic run.
   virtual std::array<double, 2> residuals() const = 0;
 
-  virtual std::vector<Vec3<double>> displacement() const = 0;    ///< [m]    [node_count]
-  virtual std::vector<Vec3<double>> velocity() const = 0;        ///< [m/s]  [node_count]
-  virtual std::vector<Vec3<double>> internal_force() const = 0;  ///< of the elements on the nodes, F = -f_int [N]
+  virtual std::vector<Vec3<double>> displacement() const = 0;  ///< [m]    [node_count]
+  virtual std::vector<Vec3<double>> velocity() const = 0;      ///< [m/s]  [node_count]
+  virtual std::vector<Vec3<double>> internal_force()
+      const = 0;  ///< of the elements on the nodes, F = -f_int [N]
   virtual ElementFields element_fields() const = 0;
 
   /// Adds a user's provider; before the first step.
@@ -73,7 +75,7 @@ class AnySimulation {
   virtual void save(std::ostream& out) const = 0;
   virtual void load(std::istream& in) = 0;
 
-  virtual std::string device() const = 0;     ///< "Serial double", "Threads float, 2 threads, AVX-512"
+  virtual std::string device() const = 0;        ///< "Serial double", "Threads float, 2 threads, AVX-512"
   virtual std::size_t memory_bytes() const = 0;  ///< of the simulation's own arrays
 };
 

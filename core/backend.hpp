@@ -1,4 +1,5 @@
-// What the engine asks of a backend: memory, copies and a loop. CUDA, threads and the emulated device all fit this.
+// What the engine asks of a backend: memory, copies and a loop. CUDA, threads and the emulated device all fit
+// this.
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,5 @@
-// The plug-in interface: everything that pushes on a node. A provider adds to f, never assigns, never moves a node.
+// The plug-in interface: everything that pushes on a node. A provider adds to f, never assigns, never moves a
+// node.
 #pragma once
 
 #include <cstddef>
@@ -18,31 +19,33 @@ enum class Space { host, device };
 /// What a provider sees of a step: the state at time t, from which forces of time t are wanted.
 template <class R>
 struct StepView {
-  const Vec4<R>* u = nullptr;            ///< displacement [m]                           [node_count]
-  const Vec4<R>* v = nullptr;            ///< velocity at t - dt/2 [m/s]; w: 1/mass      [node_count]
-  const Vec4<R>* u_predicted = nullptr;  ///< displacement at t + dt without this force [m]; only if needs_prediction()
-  Vec4<R>* f = nullptr;                  ///< force [N]: add                             [node_count]
+  const Vec4<R>* u = nullptr;  ///< displacement [m]                           [node_count]
+  const Vec4<R>* v = nullptr;  ///< velocity at t - dt/2 [m/s]; w: 1/mass      [node_count]
+  const Vec4<R>* u_predicted =
+      nullptr;           ///< displacement at t + dt without this force [m]; only if needs_prediction()
+  Vec4<R>* f = nullptr;  ///< force [N]: add                             [node_count]
   int node_count = 0;
   std::int64_t step = 0;
   double t = 0, dt = 0;  ///< [s]
-  double t_next = 0;     ///< time of the displacement that these forces lead to: t + dt, or the pseudo time of a static run [s]
+  double t_next = 0;  ///< time of the displacement that these forces lead to: t + dt, or the pseudo time of a
+                      ///< static run [s]
   R advance_per_force = R(0);  ///< u(t + dt) changes by advance_per_force * f / mass [s^2]
-  bool advance = true;   ///< false: evaluate only; material history and accumulated work stay as they are
-  bool monitor = false;  ///< true: accumulate work (energy())
+  bool advance = true;       ///< false: evaluate only; material history and accumulated work stay as they are
+  bool monitor = false;      ///< true: accumulate work (energy())
   double strain_energy = 0;  ///< of the last energy evaluation [J]
   void* stream = nullptr;
 };
 
 /// What a provider may read once, when it is added to a simulation.
 struct Attachment {
-  std::span<const Vec3<double>> X;         ///< rest position [m], in the provider's numbering  [node_count]
-  std::span<const double> mass;            ///< lumped mass [kg]                                [node_count]
-  std::span<const int> internal_of_user;   ///< node index in StepView of a user's node         [node_count]
+  std::span<const Vec3<double>> X;        ///< rest position [m], in the provider's numbering  [node_count]
+  std::span<const double> mass;           ///< lumped mass [kg]                                [node_count]
+  std::span<const int> internal_of_user;  ///< node index in StepView of a user's node         [node_count]
 };
 
-/// Native providers are ForceProvider<R> of the simulation's own R and Space and see internal node numbers. A provider of a
-/// user is a ForceProvider<double> on the host: the engine mirrors u, v and f for it in the user's own node numbers, whatever
-/// device and precision the run has, and reports what that costs.
+/// Native providers are ForceProvider<R> of the simulation's own R and Space and see internal node numbers. A
+/// provider of a user is a ForceProvider<double> on the host: the engine mirrors u, v and f for it in the
+/// user's own node numbers, whatever device and precision the run has, and reports what that costs.
 template <class R>
 class ForceProvider {
  public:

@@ -20,12 +20,17 @@ double table_value(const std::vector<std::pair<double, double>>& table, double t
 
 double shape_value(LoadShape shape, double r) {
   switch (shape) {
-    case LoadShape::poly345: return r * r * r * (10 + r * (-15 + 6 * r));
-    case LoadShape::ramp: return r;
-    case LoadShape::ramp_hold: return std::min(10 * r, 1.0);
-    case LoadShape::hilly: return r * std::exp(std::cos(4 * std::numbers::pi * r) - 1);
+    case LoadShape::poly345:
+      return r * r * r * (10 + r * (-15 + 6 * r));
+    case LoadShape::ramp:
+      return r;
+    case LoadShape::ramp_hold:
+      return std::min(10 * r, 1.0);
+    case LoadShape::hilly:
+      return r * std::exp(std::cos(4 * std::numbers::pi * r) - 1);
     case LoadShape::step:
-    case LoadShape::table: break;
+    case LoadShape::table:
+      break;
   }
   return 1;
 }

@@ -1,5 +1,5 @@
-// What is simulated: mesh, materials, loads, constraints, contact bodies and time settings, as plain host data in double.
-// Built by a reader (models/) or by hand, checked once by validate(), constant afterwards.
+// What is simulated: mesh, materials, loads, constraints, contact bodies and time settings, as plain host
+// data in double. Built by a reader (models/) or by hand, checked once by validate(), constant afterwards.
 #pragma once
 
 #include <array>
@@ -14,11 +14,12 @@ namespace glisson {
 
 /// Element formulations. Names in files: T4, T4ANP, H8, H8FixedHourglass, H8Full.
 enum class Formulation {
-  t4,        ///< linear tetrahedron
-  t4anp,     ///< tetrahedron with nodal-averaged pressure (Joldes et al. 2009)
-  h8,        ///< one-point hexahedron with mean gradients and stiffness hourglass control (Joldes et al. 2008)
-  h8_fixed,  ///< the same with gradients of the centre and hourglass modulus lambda + 2 mu, as NiftySim has it
-  h8_full,   ///< 2x2x2 points with the mean dilatation against volumetric locking (Simo, Taylor & Pister 1985)
+  t4,     ///< linear tetrahedron
+  t4anp,  ///< tetrahedron with nodal-averaged pressure (Joldes et al. 2009)
+  h8,     ///< one-point hexahedron with mean gradients and stiffness hourglass control (Joldes et al. 2008)
+  h8_fixed,  ///< the same with gradients of the centre and hourglass modulus lambda + 2 mu, as NiftySim has
+             ///< it
+  h8_full,  ///< 2x2x2 points with the mean dilatation against volumetric locking (Simo, Taylor & Pister 1985)
 };
 const char* name_of(Formulation formulation);
 Shape shape_of(Formulation formulation);
@@ -34,7 +35,8 @@ struct MaterialSpec {
   std::vector<double> parameters;  ///< [law's count]
   double density = 0;              ///< rest density [kg/m^3]
   std::vector<PronyTerm> isochoric, volumetric;
-  /// Per-element values of single parameters (heterogeneous tissue): parameter index -> [section's element count].
+  /// Per-element values of single parameters (heterogeneous tissue): parameter index -> [section's element
+  /// count].
   std::vector<std::pair<int, std::vector<double>>> element_parameters;
 };
 
@@ -95,9 +97,9 @@ struct Traction {
 /// strain-energy cap of eq. 3.15: k(t) stays at its last value while the strain energy exceeds the cap.
 struct Springs {
   std::vector<int> nodes;
-  std::vector<Vec3<double>> targets;  ///< displacement at amplitude 1 [m]  [1] or [nodes]
-  std::vector<double> stiffness;      ///< at amplitude 1 [N/m]             [1] or [nodes]
-  LoadCurve curve;                    ///< of the stiffness (eq. 3.14: ramp)
+  std::vector<Vec3<double>> targets;        ///< displacement at amplitude 1 [m]  [1] or [nodes]
+  std::vector<double> stiffness;            ///< at amplitude 1 [N/m]             [1] or [nodes]
+  LoadCurve curve;                          ///< of the stiffness (eq. 3.14: ramp)
   LoadCurve target_curve{LoadShape::step};  ///< of the targets: step, or a curve for moving targets
   std::optional<double> strain_energy_cap;  ///< [J]
 };
@@ -137,15 +139,16 @@ struct QuasiStatic {
 };
 
 struct TimeSettings {
-  double total = 0;            ///< [s]
-  std::optional<double> step;  ///< [s]; empty: chosen from the estimated stable step
-  double safety = 0.8;         ///< share of the stable step that is used
+  double total = 0;                ///< [s]
+  std::optional<double> step;      ///< [s]; empty: chosen from the estimated stable step
+  double safety = 0.8;             ///< share of the stable step that is used
   std::optional<Stepper> stepper;  ///< empty: Newmark if every element is T4ANP, else central difference
   double damping = 0;              ///< mass-proportional, C = damping M [1/s]
   std::optional<double> mass_scaling_step;  ///< elements with a smaller stable step get mass added [s]
   std::optional<QuasiStatic> quasi_static;
-  int monitor_every = 0;           ///< energies every n steps; 0: about 200 times a run
-  double energy_tolerance = 0.2;   ///< the run stops when the balance is off by more than this share; <= 0: never
+  int monitor_every = 0;  ///< energies every n steps; 0: about 200 times a run
+  double energy_tolerance =
+      0.2;  ///< the run stops when the balance is off by more than this share; <= 0: never
 };
 
 /// What a run writes.
@@ -173,9 +176,9 @@ struct Model {
   OutputSettings output;
 };
 
-/// Throws Error(input) for the first thing that cannot be simulated: index out of range, element without or with two
-/// sections, inverted or flat element, parameter out of its range, massless node that is not fixed, empty selection.
-/// Returns warnings (one line each) for what can be simulated but looks wrong.
+/// Throws Error(input) for the first thing that cannot be simulated: index out of range, element without or
+/// with two sections, inverted or flat element, parameter out of its range, massless node that is not fixed,
+/// empty selection. Returns warnings (one line each) for what can be simulated but looks wrong.
 std::vector<std::string> validate(const Model& model);
 
 }  // namespace glisson

@@ -1,5 +1,5 @@
-// Locality order: elements along a space-filling curve, nodes by first touch. Users never see it; results go back
-// through it.
+// Locality order: elements along a space-filling curve, nodes by first touch. Users never see it; results go
+// back through it.
 #pragma once
 
 #include <vector>

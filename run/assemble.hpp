@@ -1,5 +1,5 @@
-// Puts a simulation together for one backend and precision. Included only by the instantiation files run/simulate_*.cpp, the
-// only places that name both a backend and the providers.
+// Puts a simulation together for one backend and precision. Included only by the instantiation files
+// run/simulate_*.cpp, the only places that name both a backend and the providers.
 #pragma once
 
 #include <memory>

@@ -13,11 +13,12 @@ enum class Precision { single_precision, double_precision };
 struct SimulationOptions {
   std::string device = "auto";  ///< auto, cpu, serial, emulated, cuda, cuda:N
   Precision precision = Precision::single_precision;
-  int threads = 0;  ///< 0: as many as the machine has
+  int threads = 0;                       ///< 0: as many as the machine has
   std::string instruction_set = "auto";  ///< auto, sse4.2, avx2, avx512: for tests
 };
 
-/// Throws Error(device) when the device asked for is not there; `auto` never throws for that. The model must outlive the result.
+/// Throws Error(device) when the device asked for is not there; `auto` never throws for that. The model must
+/// outlive the result.
 std::unique_ptr<AnySimulation> make_simulation(const Model& model, const SimulationOptions& options = {});
 
 }  // namespace glisson

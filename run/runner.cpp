@@ -110,8 +110,9 @@ bool Runner::run_to_end() {
     prepare();
     return advance_to_end();
   } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::run,
-                "The memory of this machine is not enough for the run. Use a coarser mesh or single precision.");
+    throw Error(
+        ErrorKind::run,
+        "The memory of this machine is not enough for the run. Use a coarser mesh or single precision.");
   }
 }
 

@@ -11,7 +11,8 @@ namespace glisson::detail {
 std::unique_ptr<AnySimulation> simulate_serial_double(const Model& model);
 std::unique_ptr<AnySimulation> simulate_serial_float(const Model& model);
 std::unique_ptr<AnySimulation> simulate_threads_double(const Model& model, int threads);
-std::unique_ptr<AnySimulation> simulate_threads_float(const Model& model, int threads, const std::string& instruction_set);
+std::unique_ptr<AnySimulation> simulate_threads_float(const Model& model, int threads,
+                                                      const std::string& instruction_set);
 std::unique_ptr<AnySimulation> simulate_emulated_double(const Model& model);
 std::unique_ptr<AnySimulation> simulate_emulated_float(const Model& model);
 

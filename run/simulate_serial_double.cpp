@@ -6,7 +6,8 @@
 namespace glisson::detail {
 
 std::unique_ptr<AnySimulation> simulate_serial_double(const Model& model) {
-  return assemble<Serial, double>(model, std::make_unique<Serial>(), "Serial double", make_plain_solids<Serial, double>);
+  return assemble<Serial, double>(model, std::make_unique<Serial>(), "Serial double",
+                                  make_plain_solids<Serial, double>);
 }
 
 }  // namespace glisson::detail

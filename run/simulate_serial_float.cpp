@@ -6,7 +6,8 @@
 namespace glisson::detail {
 
 std::unique_ptr<AnySimulation> simulate_serial_float(const Model& model) {
-  return assemble<Serial, float>(model, std::make_unique<Serial>(), "Serial float", make_plain_solids<Serial, float>);
+  return assemble<Serial, float>(model, std::make_unique<Serial>(), "Serial float",
+                                 make_plain_solids<Serial, float>);
 }
 
 }  // namespace glisson::detail

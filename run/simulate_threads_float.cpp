@@ -5,7 +5,8 @@
 
 namespace glisson::detail {
 
-std::unique_ptr<AnySimulation> simulate_threads_float(const Model& model, int threads, const std::string& instruction_set) {
+std::unique_ptr<AnySimulation> simulate_threads_float(const Model& model, int threads,
+                                                      const std::string& instruction_set) {
   const std::string set = instruction_set == "auto" ? widest_instruction_set() : instruction_set;
   const std::string device =
       "Threads float, " + std::to_string(threads) + (threads == 1 ? " thread, " : " threads, ") + set;

@@ -136,9 +136,13 @@ class RigidContact final : public ForceProvider<R>, public ContactSource {
     return result;
   }
   RigidContact(B& backend, RigidMotion motion, const Entries& entries)
-      : backend_(backend), motion_(std::move(motion)), count_(static_cast<int>(entries.size())),
-        nodes_(detail::upload(backend, detail::keys(entries))), X_(detail::upload(backend, values(entries))),
-        last_(detail::zeros<Vec4<R>>(backend, entries.size())), work_(backend, count_),
+      : backend_(backend),
+        motion_(std::move(motion)),
+        count_(static_cast<int>(entries.size())),
+        nodes_(detail::upload(backend, detail::keys(entries))),
+        X_(detail::upload(backend, values(entries))),
+        last_(detail::zeros<Vec4<R>>(backend, entries.size())),
+        work_(backend, count_),
         parts_(detail::zeros<ContactPart>(backend, std::size_t(work_.chunk_count()))) {}
 
   ContactForce<R, Shape> rule(const StepView<R>& step, double t, const Vec4<R>* u) const {

@@ -64,13 +64,21 @@ class Constraints {
 
  private:
   Constraints(B& backend, ConstraintList list)
-      : backend_(backend), count_(list.count()), curves_(std::move(list.curves)), amplitudes_(curves_.size()),
-        applied_(curves_.size()), rates_(curves_.size()), nodes_(detail::upload(backend, list.nodes)),
-        axes_(detail::upload(backend, list.axes)), value_begin_(detail::upload(backend, list.value_begin)),
+      : backend_(backend),
+        count_(list.count()),
+        curves_(std::move(list.curves)),
+        amplitudes_(curves_.size()),
+        applied_(curves_.size()),
+        rates_(curves_.size()),
+        nodes_(detail::upload(backend, list.nodes)),
+        axes_(detail::upload(backend, list.axes)),
+        value_begin_(detail::upload(backend, list.value_begin)),
         plane_begin_(detail::upload(backend, list.plane_begin)),
-        values_(detail::upload(backend, list.values)), planes_(detail::upload(backend, list.planes)),
+        values_(detail::upload(backend, list.values)),
+        planes_(detail::upload(backend, list.planes)),
         many_(detail::zeros<double>(backend, 2 * curves_.size())),
-        last_(detail::zeros<Vec4<R>>(backend, std::size_t(count_))), work_(backend, count_) {}
+        last_(detail::zeros<Vec4<R>>(backend, std::size_t(count_))),
+        work_(backend, count_) {}
 
   void set_targets(double t_next, double dt) {
     for (std::size_t k = 0; k < curves_.size(); ++k) {

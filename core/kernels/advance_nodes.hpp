@@ -1,4 +1,5 @@
-// The node update and its prediction. Every node is treated as free; constraints correct their lists afterwards.
+// The node update and its prediction. Every node is treated as free; constraints correct their lists
+// afterwards.
 #pragma once
 
 #include <glisson/core/tensor/tensor.hpp>
@@ -29,8 +30,9 @@ struct AdvanceNodes {
   }
 };
 
-/// AdvanceNodes with compensated summation of u (Kahan 1965): a relaxation ends with steps that are smaller than the rounding of
-/// u in float; without the carry they would be lost and the run would stall at a force residual of 1e-4.
+/// AdvanceNodes with compensated summation of u (Kahan 1965): a relaxation ends with steps that are smaller
+/// than the rounding of u in float; without the carry they would be lost and the run would stall at a force
+/// residual of 1e-4.
 template <class R, class Stepper>
 struct AdvanceNodesCompensated {
   AdvanceNodes<R, Stepper> advance;
@@ -64,14 +66,14 @@ struct PredictNodes {
 
 /// Energy terms of one chunk of nodes around a step.
 struct NodeEnergies {
-  double kinetic = 0;         ///< of this step: sum m v(n-1/2).v(n+1/2) / 2 [J]
-  double damping = 0;         ///< dissipated since the start, up to t(n) + dt/2 [J]
-  double damping_ahead = 0;   ///< the part of it that belongs to t(n) .. t(n) + dt/2 [J]
+  double kinetic = 0;        ///< of this step: sum m v(n-1/2).v(n+1/2) / 2 [J]
+  double damping = 0;        ///< dissipated since the start, up to t(n) + dt/2 [J]
+  double damping_ahead = 0;  ///< the part of it that belongs to t(n) .. t(n) + dt/2 [J]
 };
 
-/// AdvanceNodes over chunks of nodes, with the energies of the step. With KE(n) = sum m v(n-1/2).v(n+1/2) / 2 the change of KE
-/// over a step is exactly (F(n) + F(n+1)) / 2 . (u(n+1) - u(n)), F all forces with damping: the balance of a linear system
-/// closes to round-off at any stable dt.
+/// AdvanceNodes over chunks of nodes, with the energies of the step. With KE(n) = sum m v(n-1/2).v(n+1/2) / 2
+/// the change of KE over a step is exactly (F(n) + F(n+1)) / 2 . (u(n+1) - u(n)), F all forces with damping:
+/// the balance of a linear system closes to round-off at any stable dt.
 template <class R, class Stepper>
 struct AdvanceNodesMonitored {
   static constexpr int chunk = 64;
@@ -91,14 +93,16 @@ struct AdvanceNodesMonitored {
       const Vec4<R> b = advance.v[n];
       if (!(a.w > R(0))) continue;  // massless nodes do not move
       const double m = 1 / double(a.w);
-      const double ab = double(a.x * b.x + a.y * b.y + a.z * b.z), aa = double(a.x * a.x + a.y * a.y + a.z * a.z),
+      const double ab = double(a.x * b.x + a.y * b.y + a.z * b.z),
+                   aa = double(a.x * a.x + a.y * a.y + a.z * a.z),
                    bb = double(b.x * b.x + b.y * b.y + b.z * b.z);
       kinetic += m * ab;
       before += m * (aa + ab);
       ahead += m * (ab + bb);
     }
     NodeEnergies& e = energies[c];
-    const double share = 0.25 * damping * dt;  // damping force m alpha (a + b)/2 on the half paths dt a/2 and dt b/2
+    const double share =
+        0.25 * damping * dt;  // damping force m alpha (a + b)/2 on the half paths dt a/2 and dt b/2
     e.kinetic = 0.5 * kinetic;
     e.damping += share * ((first_step ? 0 : before) + ahead);
     e.damping_ahead = share * ahead;

@@ -1,5 +1,6 @@
-// Small loop bodies over node arrays for the step estimate and dynamic relaxation. Sums go to one double per chunk of nodes
-// and are added on the host in order: the same bits on every backend and for any number of threads.
+// Small loop bodies over node arrays for the step estimate and dynamic relaxation. Sums go to one double per
+// chunk of nodes and are added on the host in order: the same bits on every backend and for any number of
+// threads.
 #pragma once
 
 #include <glisson/core/tensor/tensor.hpp>
@@ -58,7 +59,8 @@ struct DotChunk {
     double sum = 0;
     for (int n = c * node_chunk; n < end; ++n) {
       if (!(v[n].w > R(0))) continue;
-      const double d = double(a[n].x) * double(b[n].x) + double(a[n].y) * double(b[n].y) + double(a[n].z) * double(b[n].z);
+      const double d =
+          double(a[n].x) * double(b[n].x) + double(a[n].y) * double(b[n].y) + double(a[n].z) * double(b[n].z);
       sum += mass_weighted ? d / double(v[n].w) : d;
     }
     sums[c] = sum;
@@ -75,7 +77,8 @@ struct LargestChunk {
     const int end = node_count < (c + 1) * node_chunk ? node_count : (c + 1) * node_chunk;
     double largest = 0;
     for (int n = c * node_chunk; n < end; ++n) {
-      const double d = double(a[n].x) * double(a[n].x) + double(a[n].y) * double(a[n].y) + double(a[n].z) * double(a[n].z);
+      const double d =
+          double(a[n].x) * double(a[n].x) + double(a[n].y) * double(a[n].y) + double(a[n].z) * double(a[n].z);
       largest = d > largest || d != d ? d : largest;  // a NaN stays
     }
     maxima[c] = largest;

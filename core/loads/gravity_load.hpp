@@ -61,7 +61,9 @@ class GravityLoad final : public ForceProvider<R> {
     return result;
   }
   GravityLoad(B& backend, const Gravity& load, const Entries& entries, std::span<const double> mass)
-      : curve_(load.curve), acceleration_(load.acceleration), everywhere_(entries.empty()),
+      : curve_(load.curve),
+        acceleration_(load.acceleration),
+        everywhere_(entries.empty()),
         nodes_(detail::upload(backend, detail::keys(entries))),
         mass_(detail::upload(backend, masses(entries, mass))),
         work_(backend, static_cast<int>(everywhere_ ? mass.size() : entries.size())) {}

@@ -77,7 +77,8 @@ template <Backend B, class R>
 class ListWork {
  public:
   ListWork(B& backend, int entry_count)
-      : backend_(backend), entry_count_(entry_count),
+      : backend_(backend),
+        entry_count_(entry_count),
         chunk_count_((entry_count + entries_per_sum - 1) / entries_per_sum),
         chunks_(detail::zeros<double>(backend, std::size_t(chunk_count_))) {}
 

@@ -60,7 +60,8 @@ class NodalForces final : public ForceProvider<R> {
     return values;
   }
   NodalForces(B& backend, LoadCurve curve, const Entries& entries)
-      : curve_(std::move(curve)), nodes_(detail::upload(backend, detail::keys(entries))),
+      : curve_(std::move(curve)),
+        nodes_(detail::upload(backend, detail::keys(entries))),
         values_(detail::upload(backend, values_of(entries))),
         work_(backend, static_cast<int>(entries.size())) {}
 

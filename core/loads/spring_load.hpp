@@ -98,10 +98,15 @@ class SpringLoad final : public ForceProvider<R> {
     return ratio > 0 ? 2 / std::sqrt(ratio) : std::numeric_limits<double>::infinity();
   }
   SpringLoad(B& backend, const Springs& load, const Entries& entries, std::span<const double> mass)
-      : backend_(backend), curve_(load.curve), target_curve_(load.target_curve), cap_(load.strain_energy_cap),
-        count_(entries.size()), nodes_(detail::upload(backend, detail::keys(entries))),
+      : backend_(backend),
+        curve_(load.curve),
+        target_curve_(load.target_curve),
+        cap_(load.strain_energy_cap),
+        count_(entries.size()),
+        nodes_(detail::upload(backend, detail::keys(entries))),
         springs_(detail::upload(backend, springs_of(entries))),
-        last_(detail::zeros<Vec4<R>>(backend, count_)), work_(backend, static_cast<int>(count_)),
+        last_(detail::zeros<Vec4<R>>(backend, count_)),
+        work_(backend, static_cast<int>(count_)),
         stable_step_(stable_step_of(curve_, entries, mass)) {}
 
   B& backend_;

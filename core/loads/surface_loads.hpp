@@ -67,7 +67,9 @@ class SurfaceLoad : public ForceProvider<R> {
  protected:
   SurfaceLoad(B& backend, const std::vector<Facet>& facets, LoadCurve curve, const Mesh& mesh,
               const Numbering& numbering)
-      : backend_(backend), curve_(std::move(curve)), facets_(backend, facets, mesh.X, numbering),
+      : backend_(backend),
+        curve_(std::move(curve)),
+        facets_(backend, facets, mesh.X, numbering),
         work_(backend, facets_.node_count()) {}
   /// Writes the forces on the corners of all facets.
   virtual void evaluate(const StepView<R>& step, double amplitude) = 0;

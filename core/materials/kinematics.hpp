@@ -1,4 +1,5 @@
-// What most laws need of H = du/dX, formed without subtracting nearly equal numbers, so that float stays good at any strain.
+// What most laws need of H = du/dX, formed without subtracting nearly equal numbers, so that float stays good
+// at any strain.
 #pragma once
 
 #include <glisson/core/numbers/functions.hpp>
@@ -18,8 +19,9 @@ template <class R>
 GLISSON_HD Sym3<R> twice_green_lagrange(const Mat3<R>& H) {
   const auto& h = H.m;
   auto column = [&](int a, int b) { return h[0][a] * h[0][b] + h[1][a] * h[1][b] + h[2][a] * h[2][b]; };
-  return {h[0][0] + h[0][0] + column(0, 0), h[1][1] + h[1][1] + column(1, 1), h[2][2] + h[2][2] + column(2, 2),
-          h[0][1] + h[1][0] + column(0, 1), h[1][2] + h[2][1] + column(1, 2), h[0][2] + h[2][0] + column(0, 2)};
+  return {h[0][0] + h[0][0] + column(0, 0), h[1][1] + h[1][1] + column(1, 1),
+          h[2][2] + h[2][2] + column(2, 2), h[0][1] + h[1][0] + column(0, 1),
+          h[1][2] + h[2][1] + column(1, 2), h[0][2] + h[2][0] + column(0, 2)};
 }
 
 /// D = cof F - I and J - 1, without cancellation.

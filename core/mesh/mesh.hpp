@@ -23,8 +23,8 @@ struct NamedArray {
   std::vector<double> values;  ///< [-]  [count][components]
 };
 
-/// Tetrahedra: nodes a b c d with (b-a) x (c-a) . (d-a) > 0. Hexahedra: 0-1-2-3 counter-clockwise seen from above
-/// (from 4-5-6-7), then 4-5-6-7 above them.
+/// Tetrahedra: nodes a b c d with (b-a) x (c-a) . (d-a) > 0. Hexahedra: 0-1-2-3 counter-clockwise seen from
+/// above (from 4-5-6-7), then 4-5-6-7 above them.
 struct Mesh {
   std::vector<Vec3<double>> X;  ///< rest position [m]                      [node_count]
   std::vector<Shape> shape;     ///< shape of each element [-]              [element_count]
@@ -47,7 +47,8 @@ struct Mesh {
   }
 };
 
-/// A facet of the outer surface or of a file: 3 or 4 nodes, outward by the right-hand rule; a triangle has nodes[3] = -1.
+/// A facet of the outer surface or of a file: 3 or 4 nodes, outward by the right-hand rule; a triangle has
+/// nodes[3] = -1.
 struct Facet {
   std::array<int, 4> nodes{-1, -1, -1, -1};
   int element = -1;  ///< the solid element it belongs to; -1: none

@@ -1,5 +1,5 @@
-// The only transcendental functions that laws may use. Built-in numbers have their overloads here; packs and duals bring
-// theirs, found by argument-dependent lookup. No std::pow, no branch on R: use select.
+// The only transcendental functions that laws may use. Built-in numbers have their overloads here; packs and
+// duals bring theirs, found by argument-dependent lookup. No std::pow, no branch on R: use select.
 #pragma once
 
 #include <cmath>

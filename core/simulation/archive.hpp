@@ -1,4 +1,5 @@
-// Plain bytes of a checkpoint: same machine type, same build. The run's file format (run/) wraps them with a check sum.
+// Plain bytes of a checkpoint: same machine type, same build. The run's file format (run/) wraps them with a
+// check sum.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +15,17 @@
 namespace glisson {
 
 template <class T>
-  requires std::is_trivially_copyable_v<T>
+requires std::is_trivially_copyable_v<T>
 void write_value(std::ostream& out, const T& value) {
   out.write(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
 template <class T>
-  requires std::is_trivially_copyable_v<T>
-T read_value(std::istream& in) {
+requires std::is_trivially_copyable_v<T> T read_value(std::istream& in) {
   T value;
   if (!in.read(reinterpret_cast<char*>(&value), sizeof value))
-    throw Error(ErrorKind::input, "The checkpoint ends too early. It is damaged: start the run again without --resume.");
+    throw Error(ErrorKind::input,
+                "The checkpoint ends too early. It is damaged: start the run again without --resume.");
   return value;
 }
 
@@ -39,11 +40,14 @@ template <class T>
 std::vector<T> read_array(std::istream& in, std::size_t expected) {
   const auto count = read_value<std::uint64_t>(in);
   if (count != expected)
-    throw Error(ErrorKind::input, "The checkpoint holds " + std::to_string(count) + " values where this model needs " +
-                                      std::to_string(expected) + ". It belongs to another model or options.");
+    throw Error(ErrorKind::input, "The checkpoint holds " + std::to_string(count) +
+                                      " values where this model needs " + std::to_string(expected) +
+                                      ". It belongs to another model or options.");
   std::vector<T> values(expected);
-  if (!in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(expected * sizeof(T))) && expected)
-    throw Error(ErrorKind::input, "The checkpoint ends too early. It is damaged: start the run again without --resume.");
+  if (!in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(expected * sizeof(T))) &&
+      expected)
+    throw Error(ErrorKind::input,
+                "The checkpoint ends too early. It is damaged: start the run again without --resume.");
   return values;
 }
 

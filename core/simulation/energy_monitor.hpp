@@ -21,7 +21,8 @@ class EnergyMonitor {
 
  public:
   EnergyMonitor(B& backend, int node_count)
-      : backend_(backend), host_(static_cast<std::size_t>((node_count + chunk - 1) / chunk)),
+      : backend_(backend),
+        host_(static_cast<std::size_t>((node_count + chunk - 1) / chunk)),
         chunks_(backend.template allocate<NodeEnergies>(host_.size())) {
     backend_.copy_in(host_.data(), chunks_.get(), host_.size());
   }

@@ -20,7 +20,8 @@ Vec3<double> moved(const Model& model, std::span<const Vec3<double>> u, int n) {
   return u.empty() ? model.mesh.X[i] : model.mesh.X[i] + u[i];
 }
 
-/// Volume now over volume at rest of the tetrahedron at the first corner; enough to find the element that turned inside out.
+/// Volume now over volume at rest of the tetrahedron at the first corner; enough to find the element that
+/// turned inside out.
 double volume_ratio(const Model& model, std::span<const Vec3<double>> u, int e) {
   const auto nodes = model.mesh.element(e);
   const bool tet = nodes.size() == 4;
@@ -52,17 +53,19 @@ std::string cause(const Model& model, const FailureContext& c) {
   const bool too_large = c.stable_now > 0 && c.report.dt > c.stable_now;
   const Worst worst = most_compressed(model, c.healthy.empty() ? c.u : c.healthy);
   if (worst.element >= 0)
-    text << "Before that, at step " << c.healthy_step << ", the most compressed element was " << worst.element << " ("
-         << worst.ratio << " of its volume). ";
+    text << "Before that, at step " << c.healthy_step << ", the most compressed element was " << worst.element
+         << " (" << worst.ratio << " of its volume). ";
   if (too_large)
     text << "Likely cause: the step of " << c.report.dt << " s is above the stable step of " << c.stable_now
          << " s. Leave TimeStep out, or use at most " << 0.8 * c.stable_now << " s.";
   else if (worst.ratio < 0.2)
-    text << "Likely cause: an element collapsed under its load. Apply the load more slowly, use a finer mesh there, or check "
+    text << "Likely cause: an element collapsed under its load. Apply the load more slowly, use a finer mesh "
+            "there, or check "
             "the load's size and the units.";
   else
-    text << "Likely cause: the load or the prescribed motion is too fast or too large for the step of " << c.report.dt
-         << " s (stable at rest: " << c.report.stable_step << " s, limited by " << c.report.limited_by << ").";
+    text << "Likely cause: the load or the prescribed motion is too fast or too large for the step of "
+         << c.report.dt << " s (stable at rest: " << c.report.stable_step << " s, limited by "
+         << c.report.limited_by << ").";
   return text.str();
 }
 
@@ -73,17 +76,19 @@ std::string not_finite_message(const Model& model, const FailureContext& c) {
   const int node = first_bad_node(c.u);
   text << "The displacement is not finite";
   if (node >= 0) text << ": node " << node;
-  text << ", found at step " << c.step << " (t = " << c.time << " s, dt = " << c.report.dt << " s). " << cause(model, c);
+  text << ", found at step " << c.step << " (t = " << c.time << " s, dt = " << c.report.dt << " s). "
+       << cause(model, c);
   return text.str();
 }
 
 std::string imbalance_message(const Model& model, const FailureContext& c, const Energies& e, double share,
                               double tolerance) {
   std::ostringstream text;
-  text << "The energy balance is off by " << 100 * share << " % (EnergyTolerance: " << 100 * tolerance << " %) at step "
-       << c.step << " (t = " << c.time << " s): kinetic " << e.kinetic << ", strain " << e.strain << ", damping " << e.damping
-       << ", work of loads " << e.external << ", of prescribed nodes " << e.prescribed << ", of contact " << e.contact
-       << " J. " << cause(model, c);
+  text << "The energy balance is off by " << 100 * share << " % (EnergyTolerance: " << 100 * tolerance
+       << " %) at step " << c.step << " (t = " << c.time << " s): kinetic " << e.kinetic << ", strain "
+       << e.strain << ", damping " << e.damping << ", work of loads " << e.external
+       << ", of prescribed nodes " << e.prescribed << ", of contact " << e.contact << " J. "
+       << cause(model, c);
   return text.str();
 }
 

@@ -46,7 +46,8 @@ class NodeState {
     std::vector<Vec3<double>> result(size());
     for (std::size_t n = 0; n < size(); ++n) {
       const auto& a = host[n];
-      result[static_cast<std::size_t>(numbering.user_of_internal[n])] = {double(a.x), double(a.y), double(a.z)};
+      result[static_cast<std::size_t>(numbering.user_of_internal[n])] = {double(a.x), double(a.y),
+                                                                         double(a.z)};
     }
     return result;
   }

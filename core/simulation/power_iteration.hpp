@@ -1,5 +1,6 @@
-// The highest frequency of the assembled mesh, by power iteration on M^-1 K. K x comes from two evaluations of the element forces, so it
-// is the tangent of the current state. Sharper than the element bound, which it can only confirm from below.
+// The highest frequency of the assembled mesh, by power iteration on M^-1 K. K x comes from two evaluations
+// of the element forces, so it is the tangent of the current state. Sharper than the element bound, which it
+// can only confirm from below.
 #pragma once
 
 #include <cmath>
@@ -13,11 +14,17 @@ template <class B, class R>
 class PowerIteration {
  public:
   PowerIteration(B& backend, NodeState<B, R>& nodes, double length)
-      : backend_(backend), nodes_(nodes), length_(length), x_(nodes.zeros()), y_(nodes.zeros()), g_(nodes.zeros()) {
+      : backend_(backend),
+        nodes_(nodes),
+        length_(length),
+        x_(nodes.zeros()),
+        y_(nodes.zeros()),
+        g_(nodes.zeros()) {
     seed();
   }
 
-  /// omega_max [1/s] after `iterations`; view.f must be zero and is left so. Starts from the last vector found.
+  /// omega_max [1/s] after `iterations`; view.f must be zero and is left so. Starts from the last vector
+  /// found.
   double omega(SolidForces<R>& solids, StepView<R> view, int iterations) {
     view.advance = false;
     view.monitor = false;
@@ -33,17 +40,20 @@ class PowerIteration {
   std::size_t memory_bytes() const { return 3 * nodes_.size() * sizeof(Vec4<R>); }
 
  private:
-  /// x <- M^-1 K x / |M^-1 K x|; the growth in the mass norm lies between the Rayleigh quotient and omega_max^2.
+  /// x <- M^-1 K x / |M^-1 K x|; the growth in the mass norm lies between the Rayleigh quotient and
+  /// omega_max^2.
   double iterate(SolidForces<R>& solids, StepView<R> view) {
     const double size = std::sqrt(nodes_.largest(x_.get()));
     if (!(size > 0)) return 0;
-    const double s = 1e-3 * length_ / size;  // strains of about 1e-3: small for the tangent, large against rounding
+    const double s =
+        1e-3 * length_ / size;  // strains of about 1e-3: small for the tangent, large against rounding
     backend_.for_each(nodes_.count(), Displaced<R>{nodes_.u(), x_.get(), R(s), y_.get()});
     backend_.for_each(nodes_.count(), ZeroForces<R>{view.f});
     StepView<R> moved = view;
     moved.u = y_.get();
     solids.add_forces(moved);
-    backend_.for_each(nodes_.count(), ScaledForceDifference<R>{g_.get(), view.f, nodes_.v(), R(1 / s), y_.get()});
+    backend_.for_each(nodes_.count(),
+                      ScaledForceDifference<R>{g_.get(), view.f, nodes_.v(), R(1 / s), y_.get()});
     const double norm_x = std::sqrt(nodes_.dot(x_.get(), x_.get(), true));
     const double norm_y = std::sqrt(nodes_.dot(y_.get(), y_.get(), true));
     if (!(norm_y > 0) || !std::isfinite(norm_y)) return 0;

@@ -1,4 +1,5 @@
-// Adaptive dynamic relaxation: the run is damped critically for the lowest frequency that still moves, which is estimated on the way.
+// Adaptive dynamic relaxation: the run is damped critically for the lowest frequency that still moves, which
+// is estimated on the way.
 #pragma once
 
 #include <array>
@@ -14,19 +15,27 @@
 
 namespace glisson {
 
-/// Underwood 1983 (in: Belytschko & Hughes, Computational Methods for Transient Analysis, ch. 5): the lowest frequency that takes part is
-/// omega^2 = du.(f_int(n) - f_int(n-k)) / du.M du with du = u(n) - u(n-k); critical damping is 2 omega. Differences over k = 10 steps
-/// instead of one, because rounding of f in float would otherwise look like stiffness and freeze the last, slow part. The mass is fictitious
-/// (every element gets the same stable step), the static solution does not depend on it.
+/// Underwood 1983 (in: Belytschko & Hughes, Computational Methods for Transient Analysis, ch. 5): the lowest
+/// frequency that takes part is omega^2 = du.(f_int(n) - f_int(n-k)) / du.M du with du = u(n) - u(n-k);
+/// critical damping is 2 omega. Differences over k = 10 steps instead of one, because rounding of f in float
+/// would otherwise look like stiffness and freeze the last, slow part. The mass is fictitious (every element
+/// gets the same stable step), the static solution does not depend on it.
 template <class B, class R>
 class DynamicRelaxation {
  public:
   static constexpr std::int64_t interval = 10;  ///< steps between two estimates
 
-  DynamicRelaxation(B& backend, NodeState<B, R>& nodes, Constraints<B, R>& constraints, const QuasiStatic& settings,
-                    std::int64_t ramp_steps, std::span<const double> mass)
-      : backend_(backend), nodes_(nodes), constraints_(constraints), settings_(settings), ramp_steps_(ramp_steps),
-        u_before_(nodes.zeros()), f_before_(nodes.zeros()), residual_(nodes.zeros()), carry_(nodes.zeros()) {
+  DynamicRelaxation(B& backend, NodeState<B, R>& nodes, Constraints<B, R>& constraints,
+                    const QuasiStatic& settings, std::int64_t ramp_steps, std::span<const double> mass)
+      : backend_(backend),
+        nodes_(nodes),
+        constraints_(constraints),
+        settings_(settings),
+        ramp_steps_(ramp_steps),
+        u_before_(nodes.zeros()),
+        f_before_(nodes.zeros()),
+        residual_(nodes.zeros()),
+        carry_(nodes.zeros()) {
     for (const double m : mass) mass_norm_ += m * m;
     mass_norm_ = std::sqrt(mass_norm_);
   }
@@ -38,7 +47,8 @@ class DynamicRelaxation {
   /// How the run ended; empty while it runs.
   std::string ending(std::int64_t step) const {
     if (converged_) return "converged";
-    if (stalled_) return "stalled: the residuals no longer fall; this is the accuracy of the precision in use";
+    if (stalled_)
+      return "stalled: the residuals no longer fall; this is the accuracy of the precision in use";
     return step >= settings_.max_steps ? "not converged: MaxSteps reached" : "";
   }
   Vec4<R>* carry() const { return carry_.get(); }
@@ -68,20 +78,26 @@ class DynamicRelaxation {
     backend_.for_each(nodes_.count(), Copy<R>{nodes_.u(), u_before_.get()});
     backend_.for_each(nodes_.count(), Copy<R>{nodes_.f(), f_before_.get()});
     if (step == 0) return;
-    converged_ = step >= ramp_steps_ + interval && residuals_[0] < std::max(settings_.force_tolerance, rounding_) &&
-                 residuals_[1] < std::max(settings_.displacement_tolerance, 8 * double(std::numeric_limits<R>::epsilon()));
+    converged_ = step >= ramp_steps_ + interval &&
+                 residuals_[0] < std::max(settings_.force_tolerance, rounding_) &&
+                 residuals_[1] < std::max(settings_.displacement_tolerance,
+                                          8 * double(std::numeric_limits<R>::epsilon()));
     watch_progress(step);
   }
 
   void save(std::ostream& out) const {
-    write_value(out, Scalars{damping_, omega_, internal_, best_, rounding_, residuals_, best_step_, converged_, stalled_});
-    for (const Vec4<R>* a : {u_before_.get(), f_before_.get(), carry_.get()}) write_array<Vec4<R>>(out, nodes_.get(a));
+    write_value(out, Scalars{damping_, omega_, internal_, best_, rounding_, residuals_, best_step_,
+                             converged_, stalled_});
+    for (const Vec4<R>* a : {u_before_.get(), f_before_.get(), carry_.get()})
+      write_array<Vec4<R>>(out, nodes_.get(a));
   }
   void load(std::istream& in) {
     const auto s = read_value<Scalars>(in);
-    damping_ = s.damping, omega_ = s.omega, internal_ = s.internal, best_ = s.best, rounding_ = s.rounding, residuals_ = s.residuals;
+    damping_ = s.damping, omega_ = s.omega, internal_ = s.internal, best_ = s.best, rounding_ = s.rounding,
+    residuals_ = s.residuals;
     best_step_ = s.best_step, converged_ = s.converged, stalled_ = s.stalled;
-    for (Vec4<R>* a : {u_before_.get(), f_before_.get(), carry_.get()}) nodes_.put(read_array<Vec4<R>>(in, nodes_.size()), a);
+    for (Vec4<R>* a : {u_before_.get(), f_before_.get(), carry_.get()})
+      nodes_.put(read_array<Vec4<R>>(in, nodes_.size()), a);
   }
 
  private:
@@ -100,9 +116,11 @@ class DynamicRelaxation {
     if (omega2 > 0 && readable) omega_ = std::min(std::sqrt(omega2), 2 / dt);
     damping_ = std::min(2 * omega_, 1.8 / dt);  // 1 - h stays positive
   }
-  /// Rounding ends the descent: no better residual for as long as the slowest mode needs to lose a factor of ten.
+  /// Rounding ends the descent: no better residual for as long as the slowest mode needs to lose a factor of
+  /// ten.
   void watch_progress(std::int64_t step) {
-    const double now = std::max(residuals_[0] / settings_.force_tolerance, residuals_[1] / settings_.displacement_tolerance);
+    const double now =
+        std::max(residuals_[0] / settings_.force_tolerance, residuals_[1] / settings_.displacement_tolerance);
     if (step < ramp_steps_ || now < 0.9 * best_) best_ = now, best_step_ = step;
     stalled_ = step - best_step_ > std::max<std::int64_t>(2000, 4 * ramp_steps_);
   }
@@ -110,8 +128,10 @@ class DynamicRelaxation {
     backend_.for_each(nodes_.count(), Copy<R>{nodes_.f(), residual_.get()});
     constraints_.project(residual_.get());
     const double force = std::sqrt(nodes_.dot(residual_.get(), residual_.get(), false));
-    const double speed = std::sqrt(nodes_.largest(u_before_.get())) / (double(interval) * dt), reach = std::sqrt(nodes_.largest(nodes_.u()));
-    // u is rounded to half an ulp; a stiff node with m omega_max^2 / 2 = 2 m / dt^2 answers with this force, which no step can remove
+    const double speed = std::sqrt(nodes_.largest(u_before_.get())) / (double(interval) * dt),
+                 reach = std::sqrt(nodes_.largest(nodes_.u()));
+    // u is rounded to half an ulp; a stiff node with m omega_max^2 / 2 = 2 m / dt^2 answers with this force,
+    // which no step can remove
     const double ulp = double(std::numeric_limits<R>::epsilon()) * reach;
     rounding_ = internal_ > 0 ? 2 * mass_norm_ / (dt * dt) * ulp / internal_ : 0;
     residuals_[0] = internal_ > 0 ? force / internal_ : force > 0 ? 1.0 : 0.0;
@@ -127,7 +147,8 @@ class DynamicRelaxation {
   double mass_norm_ = 0;  ///< Euclidean norm of the nodal masses [kg]
   double rounding_ = 0;   ///< force residual that rounding of u causes [-]
   double damping_ = 0, omega_ = 0, internal_ = 0;
-  double best_ = std::numeric_limits<double>::infinity();  ///< smallest residual over its tolerance so far [-]
+  double best_ =
+      std::numeric_limits<double>::infinity();  ///< smallest residual over its tolerance so far [-]
   std::array<double, 2> residuals_{1, 1};
   std::int64_t best_step_ = 0;
   bool converged_ = false, stalled_ = false;

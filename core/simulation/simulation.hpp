@@ -80,15 +80,15 @@ class Simulation final : public AnySimulation {
   Buffer<Vec4<R>> u_predicted_;  ///< only with contact
   StepPlan plan_;
   std::int64_t step_ = 0;
-  std::int64_t monitor_every_ = 1;     ///< steps between two energy accounts
-  std::int64_t next_recheck_ = 0;      ///< step of the next estimate of the stable step
+  std::int64_t monitor_every_ = 1;  ///< steps between two energy accounts
+  std::int64_t next_recheck_ = 0;   ///< step of the next estimate of the stable step
   std::int64_t healthy_step_ = 0;
   std::vector<Vec3<double>> healthy_;  ///< displacement at the last check that passed, user's numbering [m]
   Stepper stepper_ = Stepper::central_difference;
-  bool prony_ = false;        ///< some material has a memory
-  double smallest_size_ = 0;  ///< of the elements [m]
+  bool prony_ = false;                               ///< some material has a memory
+  double smallest_size_ = 0;                         ///< of the elements [m]
   double strain_energy_ = 0, hourglass_energy_ = 0;  ///< of the last evaluation [J]
-  double stable_step_ = 0;             ///< last estimate [s]
+  double stable_step_ = 0;                           ///< last estimate [s]
   std::string limited_by_;
 };
 

@@ -3,19 +3,20 @@
 
 namespace glisson {
 
-/// Steps between two estimates of the stable step: 7 force evaluations each, ten times a run or every 500 steps; often while the
-/// loads of a static run grow, because that is when elements change their shape fast.
+/// Steps between two estimates of the stable step: 7 force evaluations each, ten times a run or every 500
+/// steps; often while the loads of a static run grow, because that is when elements change their shape fast.
 template <Backend B, class R>
 std::int64_t Simulation<B, R>::recheck_interval() const {
   if (relaxation_) return step_ < relaxation_->ramp_steps() ? 25 : 500;
   return std::clamp<std::int64_t>(plan_.last_step() / 10, 25, 500);
 }
 
-/// The stable step [s] of the present state. A provider's stiffness adds to the elements': omega^2 = sum of omega_i^2.
+/// The stable step [s] of the present state. A provider's stiffness adds to the elements': omega^2 = sum of
+/// omega_i^2.
 template <Backend B, class R>
 double Simulation<B, R>::stable_step_now(int iterations) {
-  // Power iteration converges from below (too large a step); 3 % covers what is missing after these many iterations, see
-  // doc/time-step.md. At rest the element bound holds whatever the iteration says.
+  // Power iteration converges from below (too large a step); 3 % covers what is missing after these many
+  // iterations, see doc/time-step.md. At rest the element bound holds whatever the iteration says.
   constexpr double margin = 1.03;
   const double omega = margin * power_.omega(*parts_.solids, make_view(), iterations);
   double dt = omega > 0 ? 2 / omega : parts_.element_step.dt;
@@ -34,8 +35,9 @@ void Simulation<B, R>::choose_step() {
   limited_by_ = "element " + std::to_string(e.element);
   const TimeSettings& time = model_.time;
   if (!(stable_step_ > 0) || !std::isfinite(stable_step_))
-    throw Error(ErrorKind::input, "The stable time step could not be estimated (" + std::to_string(stable_step_) +
-                                      " s). The model needs solid elements with positive stiffness and mass.");
+    throw Error(ErrorKind::input,
+                "The stable time step could not be estimated (" + std::to_string(stable_step_) +
+                    " s). The model needs solid elements with positive stiffness and mass.");
   const double wish = time.safety * stable_step_;
   if (relaxation_)
     plan_ = StepPlan::endless(wish);
@@ -94,15 +96,17 @@ void Simulation<B, R>::fail(const Energies* unbalanced, double share) {
   context.time = time();
   context.report = report();
   context.stable_now = stable_step_;
-  const std::string text = unbalanced ? imbalance_message(model_, context, *unbalanced, share, model_.time.energy_tolerance)
-                                      : not_finite_message(model_, context);
+  const std::string text =
+      unbalanced ? imbalance_message(model_, context, *unbalanced, share, model_.time.energy_tolerance)
+                 : not_finite_message(model_, context);
   throw Error(ErrorKind::run, text, {model_.name, 0, ""});
 }
 
 template <Backend B, class R>
 StepReport Simulation<B, R>::report() const {
-  return {plan_.dt(), stable_step_, limited_by_, parts_.added_mass, plan_.last_step(),
-          relaxation_ ? relaxation_->ending(step_) : std::string(), monitor_every_};
+  return {plan_.dt(),        stable_step_,      limited_by_,
+          parts_.added_mass, plan_.last_step(), relaxation_ ? relaxation_->ending(step_) : std::string(),
+          monitor_every_};
 }
 
 template <Backend B, class R>

@@ -31,12 +31,18 @@ inline double slowness(const Model& model) {
 
 template <Backend B, class R>
 Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
-    : model_(model), parts_(std::move(parts)), backend_(*parts_.backend), nodes_(backend_, parts_.mass),
-      monitor_(backend_, nodes_.count()), power_(backend_, nodes_, parts_.element_step.smallest_size),
-      stepper_(model.time.stepper.value_or(default_stepper(model))), prony_(has_prony(model)) {
+    : model_(model),
+      parts_(std::move(parts)),
+      backend_(*parts_.backend),
+      nodes_(backend_, parts_.mass),
+      monitor_(backend_, nodes_.count()),
+      power_(backend_, nodes_, parts_.element_step.smallest_size),
+      stepper_(model.time.stepper.value_or(default_stepper(model))),
+      prony_(has_prony(model)) {
   if (!parts_.bodies.empty()) u_predicted_ = nodes_.zeros();
   if (model.time.quasi_static) {
-    // shear waves cross the mesh a few times while the loads grow: one element takes them wave / shear speed steps
+    // shear waves cross the mesh a few times while the loads grow: one element takes them wave / shear speed
+    // steps
     const double ratio = std::min(slowness(model), 50.0);
     const auto ramp = static_cast<std::int64_t>(50 + 6 * std::cbrt(double(nodes_.count())) * ratio);
     relaxation_.emplace(backend_, nodes_, *parts_.constraints, *model.time.quasi_static, ramp, parts_.mass);
@@ -50,7 +56,8 @@ void Simulation<B, R>::set_initial_velocity() {
   if (model_.initial_velocities.empty()) return;
   auto v = nodes_.get(nodes_.v());
   const auto initial = initial_velocity(model_, parts_.numbering);
-  for (std::size_t n = 0; n < v.size(); ++n) v[n] = {R(initial[n].x), R(initial[n].y), R(initial[n].z), v[n].w};
+  for (std::size_t n = 0; n < v.size(); ++n)
+    v[n] = {R(initial[n].x), R(initial[n].y), R(initial[n].z), v[n].w};
   nodes_.put(v, nodes_.v());
   parts_.constraints->project(nodes_.v());
 }
@@ -66,8 +73,11 @@ void Simulation<B, R>::add(std::unique_ptr<ForceProvider<double>> provider) {
   }
   provider->attach({model_.mesh.X, mass, same});
   if (provider->needs_prediction())
-    throw Error(ErrorKind::usage, "User providers do not get a predicted displacement yet: return false from needs_prediction().");
-  users_.push_back(std::make_unique<UserForces<B, R>>(backend_, nodes_, parts_.numbering, std::move(provider)));
+    throw Error(
+        ErrorKind::usage,
+        "User providers do not get a predicted displacement yet: return false from needs_prediction().");
+  users_.push_back(
+      std::make_unique<UserForces<B, R>>(backend_, nodes_, parts_.numbering, std::move(provider)));
   choose_step();
 }
 
@@ -76,8 +86,8 @@ std::vector<Vec3<double>> Simulation<B, R>::displacement() const {
   return nodes_.for_user(nodes_.u(), parts_.numbering);
 }
 
-/// Forces of the present state in the user's order, without touching the run; f is zero before and after. With loads: what is
-/// left of them in the free directions.
+/// Forces of the present state in the user's order, without touching the run; f is zero before and after.
+/// With loads: what is left of them in the free directions.
 template <Backend B, class R>
 std::vector<Vec3<double>> Simulation<B, R>::forces_for_user(bool with_loads) const {
   StepView<R> view = make_view();
@@ -150,14 +160,17 @@ void Simulation<B, R>::save(std::ostream& out) const {
 template <Backend B, class R>
 void Simulation<B, R>::load(std::istream& in) {
   if (read_value<std::uint64_t>(in) != checkpoint_mark || read_value<std::uint64_t>(in) != sizeof(R))
-    throw Error(ErrorKind::input, "The checkpoint was written with another precision or version. Resume with the same options.");
+    throw Error(
+        ErrorKind::input,
+        "The checkpoint was written with another precision or version. Resume with the same options.");
   step_ = read_value<std::int64_t>(in);
   plan_ = read_value<StepPlan>(in);
   const auto scalars = read_value<std::array<double, 3>>(in);
   strain_energy_ = scalars[0], hourglass_energy_ = scalars[1], stable_step_ = scalars[2];
   const auto counters = read_value<std::array<std::int64_t, 2>>(in);
   next_recheck_ = counters[0], healthy_step_ = counters[1];
-  for (Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector()}) nodes_.put(read_array<Vec4<R>>(in, nodes_.size()), a);
+  for (Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector()})
+    nodes_.put(read_array<Vec4<R>>(in, nodes_.size()), a);
   parts_.solids->set_history(read_array<double>(in, parts_.solids->history().size()));
   monitor_.load(in);
   if (relaxation_) relaxation_->load(in);

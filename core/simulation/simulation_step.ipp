@@ -70,7 +70,8 @@ template <Backend B, class R>
 void Simulation<B, R>::predict_and_touch(StepView<R>& view) {
   if (!u_predicted_) return;
   with_stepper([&]<class S>(const S& stepper) {
-    backend_.for_each(nodes_.count(), PredictNodes<R, S>{view.u, view.v, view.f, u_predicted_.get(), stepper});
+    backend_.for_each(nodes_.count(),
+                      PredictNodes<R, S>{view.u, view.v, view.f, u_predicted_.get(), stepper});
   });
   view.u_predicted = u_predicted_.get();
   for (auto& body : parts_.bodies) body->add_forces(view);
@@ -83,8 +84,9 @@ void Simulation<B, R>::advance(bool energies) {
     if (relaxation_)
       backend_.for_each(nodes_.count(), AdvanceNodesCompensated<R, S>{body, relaxation_->carry()});
     else if (energies)
-      backend_.for_each(monitor_.chunk_count(), AdvanceNodesMonitored<R, S>{body, monitor_.chunks(), nodes_.count(),
-                                                                           model_.time.damping, plan_.dt(), step_ == 0});
+      backend_.for_each(monitor_.chunk_count(),
+                        AdvanceNodesMonitored<R, S>{body, monitor_.chunks(), nodes_.count(),
+                                                    model_.time.damping, plan_.dt(), step_ == 0});
     else
       backend_.for_each(nodes_.count(), body);
   });

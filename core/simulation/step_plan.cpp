@@ -9,13 +9,15 @@
 namespace glisson {
 namespace {
 
-/// Number of equal steps of at most dt in the interval; a ratio that is an integer but for rounding counts as that integer.
+/// Number of equal steps of at most dt in the interval; a ratio that is an integer but for rounding counts as
+/// that integer.
 std::int64_t steps_in(double interval, double dt) {
   const double ratio = interval / dt;
   constexpr double limit = 1e12;
   if (!(ratio < limit))
-    throw Error(ErrorKind::input, "The run would need " + std::to_string(ratio) + " time steps of " + std::to_string(dt) +
-                                      " s, which never ends. Use a larger TimeStep, a coarser mesh or mass scaling.");
+    throw Error(ErrorKind::input,
+                "The run would need " + std::to_string(ratio) + " time steps of " + std::to_string(dt) +
+                    " s, which never ends. Use a larger TimeStep, a coarser mesh or mass scaling.");
   const double nearest = std::round(ratio);
   const bool whole = std::abs(ratio - nearest) < 1e-6 * std::max(1.0, nearest) && nearest >= 1;
   return std::max<std::int64_t>(1, static_cast<std::int64_t>(whole ? nearest : std::ceil(ratio)));

@@ -1,5 +1,5 @@
-// When the steps of a run happen. Time comes from an integer step counter, so that n steps of dt end exactly at n dt and the
-// run ends exactly at its total time.
+// When the steps of a run happen. Time comes from an integer step counter, so that n steps of dt end exactly
+// at n dt and the run ends exactly at its total time.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,8 @@ class StepPlan {
 
   double dt() const { return dt_; }
   double time(std::int64_t step) const { return base_time_ + double(step - base_step_) * dt_; }
-  /// Interval between the velocities before and after `step` [s]: half a step at the start, a mean where dt changed.
+  /// Interval between the velocities before and after `step` [s]: half a step at the start, a mean where dt
+  /// changed.
   double force_interval(std::int64_t step) const;
   std::int64_t last_step() const { return last_step_; }  ///< 0: endless
   bool finished(std::int64_t step) const { return last_step_ > 0 && step >= last_step_; }

@@ -1,5 +1,6 @@
-// Carries a user's ForceProvider<double> through a run of any device and precision: mirrors u and v in the user's numbering, calls
-// it, adds its f. The one place where the engine copies state because of a provider, and it counts what that costs.
+// Carries a user's ForceProvider<double> through a run of any device and precision: mirrors u and v in the
+// user's numbering, calls it, adds its f. The one place where the engine copies state because of a provider,
+// and it counts what that costs.
 #pragma once
 
 #include <chrono>
@@ -13,7 +14,9 @@ template <class R>
 struct AddNodes {
   const Vec4<R>* g;
   Vec4<R>* f;
-  GLISSON_HD void operator()(int n) const { f[n] = {f[n].x + g[n].x, f[n].y + g[n].y, f[n].z + g[n].z, f[n].w}; }
+  GLISSON_HD void operator()(int n) const {
+    f[n] = {f[n].x + g[n].x, f[n].y + g[n].y, f[n].z + g[n].z, f[n].w};
+  }
 };
 
 template <class B, class R>
@@ -21,8 +24,14 @@ class UserForces {
  public:
   UserForces(B& backend, NodeState<B, R>& nodes, const Numbering& numbering,
              std::unique_ptr<ForceProvider<double>> provider)
-      : backend_(backend), nodes_(nodes), numbering_(numbering), provider_(std::move(provider)), sum_(nodes.zeros()),
-        u_(nodes.size()), v_(nodes.size()), f_(nodes.size()) {}
+      : backend_(backend),
+        nodes_(nodes),
+        numbering_(numbering),
+        provider_(std::move(provider)),
+        sum_(nodes.zeros()),
+        u_(nodes.size()),
+        v_(nodes.size()),
+        f_(nodes.size()) {}
 
   ForceProvider<double>& provider() { return *provider_; }
   const ForceProvider<double>& provider() const { return *provider_; }
@@ -55,7 +64,8 @@ class UserForces {
     const auto host = nodes_.get(from);
     for (std::size_t n = 0; n < host.size(); ++n) {
       const auto& a = host[n];
-      to[static_cast<std::size_t>(numbering_.user_of_internal[n])] = {double(a.x), double(a.y), double(a.z), double(a.w)};
+      to[static_cast<std::size_t>(numbering_.user_of_internal[n])] = {double(a.x), double(a.y), double(a.z),
+                                                                      double(a.w)};
     }
   }
   void add(Vec4<R>* f) {

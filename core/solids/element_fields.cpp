@@ -76,7 +76,13 @@ class SectionFields {
  public:
   SectionFields(const Model& model, const Section& section, Positions u, const std::vector<double>& history,
                 std::size_t first, double dt, const std::vector<double>& pressure, ElementFields& out)
-      : model_(model), section_(section), u_(u), history_(history), place_(first), pressure_(pressure), out_(out) {
+      : model_(model),
+        section_(section),
+        u_(u),
+        history_(history),
+        place_(first),
+        pressure_(pressure),
+        out_(out) {
     for (const auto* terms : {&section.material.isochoric, &section.material.volumetric})
       for (const PronyTerm& t : *terms) terms_.push_back(prony_coefficients(t.alpha, t.tau, dt));
   }
@@ -88,11 +94,21 @@ class SectionFields {
       const L law = L::load(parameters.data());
       const int e = section_.elements[k];
       switch (section_.formulation) {
-        case Formulation::t4: element<T4>(e, law, T4::make); break;
-        case Formulation::t4anp: averaged(e, law); break;
-        case Formulation::h8: element<H8>(e, law, H8::make); break;
-        case Formulation::h8_fixed: element<H8>(e, law, H8::make_fixed); break;
-        case Formulation::h8_full: element<H8Full>(e, law, H8Full::make); break;
+        case Formulation::t4:
+          element<T4>(e, law, T4::make);
+          break;
+        case Formulation::t4anp:
+          averaged(e, law);
+          break;
+        case Formulation::h8:
+          element<H8>(e, law, H8::make);
+          break;
+        case Formulation::h8_fixed:
+          element<H8>(e, law, H8::make_fixed);
+          break;
+        case Formulation::h8_full:
+          element<H8Full>(e, law, H8Full::make);
+          break;
       }
     }
   }
@@ -105,8 +121,10 @@ class SectionFields {
     }
     const int isochoric = static_cast<int>(section_.material.isochoric.size());
     const PronyTerms<double> prony{terms_.data(), isochoric, static_cast<int>(terms_.size()) - isochoric};
-    auto* values = const_cast<double*>(history_.data()) + place_ + static_cast<std::size_t>(p) * 6 * terms_.size();
-    return second_pk_relaxed(law, H, prony, StridedHistory<double>{values, 1}, false);  // only read: store is false
+    auto* values =
+        const_cast<double*>(history_.data()) + place_ + static_cast<std::size_t>(p) * 6 * terms_.size();
+    return second_pk_relaxed(law, H, prony, StridedHistory<double>{values, 1},
+                             false);  // only read: store is false
   }
   void finish(int e, const PointValues& sum) {
     const auto i = static_cast<std::size_t>(e);
@@ -120,7 +138,8 @@ class SectionFields {
     corners(model_.mesh, model_.mesh.X, e, X);
     corners(model_.mesh, u_, e, ue);
     PointValues sum;
-    E::points(make(X, 0), ue, [&](const Mat3<double>& H, double w, int p) { accumulate(sum, H, stress(law, H, p), w); });
+    E::points(make(X, 0), ue,
+              [&](const Mat3<double>& H, double w, int p) { accumulate(sum, H, stress(law, H, p), w); });
     place_ += static_cast<std::size_t>(E::point_count) * 6 * terms_.size();
     finish(e, sum);
   }
@@ -130,7 +149,8 @@ class SectionFields {
     corners(model_.mesh, u_, e, ue);
     double p = 0;
     for (const int n : model_.mesh.element(e)) p += pressure_[static_cast<std::size_t>(n)] / 4;
-    const Mat3<double> H = averaged_gradient(T4::displacement_gradient(T4::make(X), ue), p / law.bulk_modulus());
+    const Mat3<double> H =
+        averaged_gradient(T4::displacement_gradient(T4::make(X), ue), p / law.bulk_modulus());
     PointValues sum;
     accumulate(sum, H, stress(law, H, 0), 1);
     place_ += 6 * terms_.size();
@@ -157,7 +177,8 @@ std::size_t history_size(const Section& section) {
 
 ElementFields element_fields(const Model& model, Positions u, const std::vector<double>& history, double dt) {
   const auto count = static_cast<std::size_t>(model.mesh.element_count());
-  ElementFields fields{std::vector<Sym3<double>>(count), std::vector<Sym3<double>>(count), std::vector<double>(count, 1.0)};
+  ElementFields fields{std::vector<Sym3<double>>(count), std::vector<Sym3<double>>(count),
+                       std::vector<double>(count, 1.0)};
   const std::vector<double> pressure = nodal_pressure(model, u);
   std::size_t first = 0;
   for (const Section& section : model.sections) {

@@ -1,4 +1,5 @@
-// Stress, strain and volume ratio of every element, evaluated in double on the host from a displacement: what outputs show.
+// Stress, strain and volume ratio of every element, evaluated in double on the host from a displacement: what
+// outputs show.
 #pragma once
 
 #include <span>
@@ -9,8 +10,10 @@
 
 namespace glisson {
 
-/// u [m] in the user's order [node_count]; history as SolidForces::history gives it; dt [s] is the step over which Prony terms follow the
-/// present stress (it is not stored). T4ANP and H8Full show their averaged F; H8Full the mean over its points.
-ElementFields element_fields(const Model& model, std::span<const Vec3<double>> u, const std::vector<double>& history, double dt);
+/// u [m] in the user's order [node_count]; history as SolidForces::history gives it; dt [s] is the step over
+/// which Prony terms follow the present stress (it is not stored). T4ANP and H8Full show their averaged F;
+/// H8Full the mean over its points.
+ElementFields element_fields(const Model& model, std::span<const Vec3<double>> u,
+                             const std::vector<double>& history, double dt);
 
 }  // namespace glisson

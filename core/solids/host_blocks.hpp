@@ -1,5 +1,5 @@
-// Elements grouped into blocks that one kernel can run: same formulation, law and Prony terms. Host arrays in the element order of the
-// Numbering, ready for upload.
+// Elements grouped into blocks that one kernel can run: same formulation, law and Prony terms. Host arrays in
+// the element order of the Numbering, ready for upload.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,8 @@ struct HostBlock {
   std::vector<int> nodes;            ///< internal numbers [element_count][nodes_per_element]
   std::vector<R> parameters;         ///< [element_count or 1][parameter_count]
   std::vector<R> volumes;            ///< T4ANP: rest volumes [m^3] [element_count]
-  /// First value in the canonical history (SolidForces::history) of each element [element_count]; empty without Prony terms.
+  /// First value in the canonical history (SolidForces::history) of each element [element_count]; empty
+  /// without Prony terms.
   std::vector<std::size_t> history_place;
 
   bool viscous() const { return !prony.empty(); }
@@ -34,7 +35,8 @@ struct HostBlock {
 template <class R>
 std::vector<HostBlock<R>> make_host_blocks(const Model& model, const Numbering& numbering);
 
-/// For each node the places in the element forces of all blocks, one block after the other, in the order of the elements.
+/// For each node the places in the element forces of all blocks, one block after the other, in the order of
+/// the elements.
 struct Incidence {
   std::vector<int> begin, slot;
 };
@@ -52,8 +54,10 @@ AverageLists<R> make_average_lists(const std::vector<HostBlock<R>>& blocks, int 
 
 /// From [point][term][6][element] of each block to the canonical order, and back.
 template <class R>
-std::vector<double> canonical_history(const std::vector<const HostBlock<R>*>& blocks, const std::vector<std::vector<R>>& arrays);
+std::vector<double> canonical_history(const std::vector<const HostBlock<R>*>& blocks,
+                                      const std::vector<std::vector<R>>& arrays);
 template <class R>
-std::vector<std::vector<R>> block_history(const std::vector<const HostBlock<R>*>& blocks, const std::vector<double>& history);
+std::vector<std::vector<R>> block_history(const std::vector<const HostBlock<R>*>& blocks,
+                                          const std::vector<double>& history);
 
 }  // namespace glisson

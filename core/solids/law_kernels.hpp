@@ -30,8 +30,8 @@ SolidKernels<R> plain_kernels() {
 
 template <class R, class L, bool viscous>
 SolidKernels<R> averaged_kernels() {
-  return {call<R, AveragedForces<R, L, viscous>>, call<R, ElementPressure<R, L>>, call<R, AveragedEnergy<R, L>>,
-          call<R, ElementHourglassEnergy<R, T4>>};
+  return {call<R, AveragedForces<R, L, viscous>>, call<R, ElementPressure<R, L>>,
+          call<R, AveragedEnergy<R, L>>, call<R, ElementHourglassEnergy<R, T4>>};
 }
 
 template <class R, class L>

@@ -25,7 +25,8 @@ void share_mass(const Mesh& mesh, int e, double mass, std::vector<double>& nodal
 double wanted_step(const Model& model) {
   if (!model.time.quasi_static) return model.time.mass_scaling_step.value_or(0);
   double largest = 0;
-  visit_element_steps(model, [&](int, double dt, double, double, double) { largest = std::max(largest, dt); });
+  visit_element_steps(model,
+                      [&](int, double dt, double, double, double) { largest = std::max(largest, dt); });
   return largest;
 }
 
@@ -34,7 +35,8 @@ double wanted_step(const Model& model) {
 std::vector<double> lumped_mass(const Model& model) {
   std::vector<double> nodal(model.mesh.X.size());
   for (const Section& section : model.sections)
-    for (const int e : section.elements) share_mass(model.mesh, e, section.material.density * volume_of(model.mesh, e), nodal);
+    for (const int e : section.elements)
+      share_mass(model.mesh, e, section.material.density * volume_of(model.mesh, e), nodal);
   return nodal;
 }
 

@@ -1,5 +1,5 @@
-// The solids of a model in plain form on any backend: force per element, then a gather per node. Include it only where a
-// backend is instantiated.
+// The solids of a model in plain form on any backend: force per element, then a gather per node. Include it
+// only where a backend is instantiated.
 #pragma once
 
 #include <memory>
@@ -67,7 +67,8 @@ class PlainSolids final : public SolidForces<R> {
 };
 
 template <Backend B, class R>
-std::unique_ptr<SolidForces<R>> make_plain_solids(B& backend, const Model& model, const Numbering& numbering) {
+std::unique_ptr<SolidForces<R>> make_plain_solids(B& backend, const Model& model,
+                                                  const Numbering& numbering) {
   return std::make_unique<PlainSolids<B, R>>(backend, model, numbering);
 }
 
@@ -150,8 +151,9 @@ void PlainSolids<B, R>::average_pressure(const EvaluationView<R>& now) {
   if (!averaged_) return;
   for (const Block& block : blocks_)
     if (block.kernels->pressure) run(block.kernels->pressure, block, now);
-  backend_.for_each(node_count_, NodalPressure<R>{average_begin_.get(), average_element_.get(), average_weight_.get(),
-                                                  element_pressure_.get(), nodal_pressure_.get()});
+  backend_.for_each(node_count_,
+                    NodalPressure<R>{average_begin_.get(), average_element_.get(), average_weight_.get(),
+                                     element_pressure_.get(), nodal_pressure_.get()});
 }
 
 template <Backend B, class R>

@@ -20,8 +20,8 @@ RestModuli rest_moduli(const std::string& law, const std::vector<double>& parame
     if (law != L::name) return;
     found = true;
     if (parameters.size() != static_cast<std::size_t>(L::parameter_count))
-      throw Error(ErrorKind::input, "The law " + law + " needs " + std::to_string(L::parameter_count) + " parameters, not " +
-                                        std::to_string(parameters.size()) + ".");
+      throw Error(ErrorKind::input, "The law " + law + " needs " + std::to_string(L::parameter_count) +
+                                        " parameters, not " + std::to_string(parameters.size()) + ".");
     const L value = L::load(parameters.data());
     moduli = {value.shear_modulus(), value.bulk_modulus(), value.wave_modulus()};
   });

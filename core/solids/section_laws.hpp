@@ -16,8 +16,9 @@ struct RestModuli {
 };
 RestModuli rest_moduli(const std::string& law, const std::vector<double>& parameters);
 
-/// Coefficient times the modulus that scales hourglass stiffness [Pa]: lambda + 2 mu for h8_fixed (Joldes et al. 2008); for h8 at
-/// most 4 mu, its value at nu = 1/3, because modes without volume change lock when lambda grows with nu -> 1/2.
+/// Coefficient times the modulus that scales hourglass stiffness [Pa]: lambda + 2 mu for h8_fixed (Joldes et
+/// al. 2008); for h8 at most 4 mu, its value at nu = 1/3, because modes without volume change lock when
+/// lambda grows with nu -> 1/2.
 double hourglass_stiffness(const Section& section, const std::vector<double>& parameters);
 
 }  // namespace glisson

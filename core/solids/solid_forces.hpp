@@ -14,11 +14,13 @@ template <class R>
 class SolidForces : public ForceProvider<R> {
  public:
   std::string_view name() const override { return "solids"; }
-  /// Energy of the laws (W itself) and of the hourglass control [J], for the displacement of `step`; sums in double.
+  /// Energy of the laws (W itself) and of the hourglass control [J], for the displacement of `step`; sums in
+  /// double.
   virtual double strain_energy(const StepView<R>& step) = 0;
   virtual double hourglass_energy(const StepView<R>& step) = 0;
-  /// Prony history in the canonical order: for each section, each of its elements in order, each integration point, each
-  /// term (isochoric, then volumetric), six components 11 22 33 12 23 13 [Pa]. Empty without Prony terms.
+  /// Prony history in the canonical order: for each section, each of its elements in order, each integration
+  /// point, each term (isochoric, then volumetric), six components 11 22 33 12 23 13 [Pa]. Empty without
+  /// Prony terms.
   virtual std::vector<double> history() const = 0;
   virtual void set_history(const std::vector<double>& history) = 0;
   virtual std::size_t memory_bytes() const = 0;

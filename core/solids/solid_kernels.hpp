@@ -1,5 +1,5 @@
-// The loop bodies of every formulation and law behind function pointers, compiled once per law and precision. Host backends call them
-// element by element; a CUDA backend instantiates the bodies itself.
+// The loop bodies of every formulation and law behind function pointers, compiled once per law and precision.
+// Host backends call them element by element; a CUDA backend instantiates the bodies itself.
 #pragma once
 
 #include <string_view>

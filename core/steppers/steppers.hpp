@@ -5,8 +5,10 @@
 
 namespace glisson {
 
-/// Central difference with mass-proportional damping in velocity form (Johnsen 2016, eq. 4.13-4.14, rearranged):
-///   v(n+1/2) = ((1 - h) v(n-1/2) + dt f(n)/m) / (1 + h),   u(n+1) = u(n) + dt v(n+1/2),   h = damping dt / 2.
+/// Central difference with mass-proportional damping in velocity form (Johnsen 2016, eq. 4.13-4.14,
+/// rearranged):
+///   v(n+1/2) = ((1 - h) v(n-1/2) + dt f(n)/m) / (1 + h),   u(n+1) = u(n) + dt v(n+1/2),   h = damping dt
+///   / 2.
 /// It keeps digits in float that 2 u(n) - u(n-1) loses. Stable for dt < 2 / omega_max.
 template <class R>
 struct CentralDifference {
@@ -14,7 +16,8 @@ struct CentralDifference {
   R kick;   ///< dt / (1 + h) [s]
   R drift;  ///< dt [s]
 
-  /// dt_force: interval between the neighbouring velocities (dt, dt/2 in the first step, a mean when dt changes) [s].
+  /// dt_force: interval between the neighbouring velocities (dt, dt/2 in the first step, a mean when dt
+  /// changes) [s].
   static CentralDifference make(double damping, double dt_force, double dt) {
     const double h = 0.5 * damping * dt_force;
     return {R((1 - h) / (1 + h)), R(dt_force / (1 + h)), R(dt)};
@@ -25,9 +28,12 @@ struct CentralDifference {
   }
 };
 
-/// Explicit Newmark, beta = 0, gamma = 1/2 (Johnsen 2016, eq. 4.15). With v(n+1/2) = v(n) + dt/2 a(n) its three lines become
-///   a(n) = (f(n)/m - damping v(n-1/2)) / (1 + h),   v(n+1/2) = v(n-1/2) + dt a(n),   u(n+1) = u(n) + dt v(n+1/2):
-/// no acceleration has to be stored, and in exact arithmetic the displacements are those of the central difference.
+/// Explicit Newmark, beta = 0, gamma = 1/2 (Johnsen 2016, eq. 4.15). With v(n+1/2) = v(n) + dt/2 a(n) its
+/// three lines become
+///   a(n) = (f(n)/m - damping v(n-1/2)) / (1 + h),   v(n+1/2) = v(n-1/2) + dt a(n),   u(n+1) = u(n) + dt
+///   v(n+1/2):
+/// no acceleration has to be stored, and in exact arithmetic the displacements are those of the central
+/// difference.
 template <class R>
 struct Newmark {
   R damping;  ///< [1/s]
@@ -38,7 +44,8 @@ struct Newmark {
     return {R(damping), R(dt_force / (1 + 0.5 * damping * dt_force)), R(dt)};
   }
   GLISSON_HD Vec3<R> velocity(const Vec3<R>& v, const Vec3<R>& f, R inverse_mass) const {
-    return {v.x + kick * (f.x * inverse_mass - damping * v.x), v.y + kick * (f.y * inverse_mass - damping * v.y),
+    return {v.x + kick * (f.x * inverse_mass - damping * v.x),
+            v.y + kick * (f.y * inverse_mass - damping * v.y),
             v.z + kick * (f.z * inverse_mass - damping * v.z)};
   }
 };

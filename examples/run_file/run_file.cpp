@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
     const auto largest = std::max_element(displacement.begin(), displacement.end(),
                                           [](const auto& a, const auto& b) { return dot(a, a) < dot(b, b); });
     std::cout << simulation->step_count() << " steps on " << simulation->device() << ", largest displacement "
-              << std::sqrt(dot(*largest, *largest)) << " m at node " << largest - displacement.begin() << '\n';
+              << std::sqrt(dot(*largest, *largest)) << " m at node " << largest - displacement.begin()
+              << '\n';
   } catch (const glisson::Error& error) {
     std::cerr << error.what() << '\n';
     return static_cast<int>(error.kind());

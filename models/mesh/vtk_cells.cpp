@@ -18,7 +18,8 @@ void read_with_counts(VtkReader& reader, std::optional<int> code) {
   const auto entries = reader.integers(reader.room_for(size, 1, NumberType::int32, false, "size of the list"),
                                        NumberType::int32, "a node of a cell");
   if (count < 0 || count > size)
-    scanner.fail(std::to_string(count) + " cells cannot stand in a list of " + std::to_string(size) + " numbers");
+    scanner.fail(std::to_string(count) + " cells cannot stand in a list of " + std::to_string(size) +
+                 " numbers");
   std::size_t i = 0;
   for (std::int64_t c = 0; c < count; ++c) {
     const auto left = entries.size() - i;

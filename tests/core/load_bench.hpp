@@ -81,10 +81,15 @@ class Bench {
 
  public:
   explicit Bench(int count, double mass = 1)
-      : numbering(shuffled_numbering(count)), masses(std::size_t(count), mass), u(std::size_t(count)), v(u),
-        f(u), u_(detail::zeros<Vec4<R>>(backend, u.size())), v_(detail::zeros<Vec4<R>>(backend, u.size())),
-        f_(detail::zeros<Vec4<R>>(backend, u.size())), predicted_(detail::zeros<Vec4<R>>(backend, u.size())) {
-  }
+      : numbering(shuffled_numbering(count)),
+        masses(std::size_t(count), mass),
+        u(std::size_t(count)),
+        v(u),
+        f(u),
+        u_(detail::zeros<Vec4<R>>(backend, u.size())),
+        v_(detail::zeros<Vec4<R>>(backend, u.size())),
+        f_(detail::zeros<Vec4<R>>(backend, u.size())),
+        predicted_(detail::zeros<Vec4<R>>(backend, u.size())) {}
 
   /// The step that the device would see for the host's u and v; f starts at 0.
   StepView<R> view(double t, double dt) {

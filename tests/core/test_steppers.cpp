@@ -40,7 +40,8 @@ TEST(Steppers, CentralDifferenceIsTheTextbookRecurrence) {  // Johnsen 2016, eq.
 TEST(Steppers, NewmarkIsTheTextbookRecurrence) {  // Johnsen 2016, eq. 4.15
   double u = 0, v = 0, a = 0;
   for (int n = 0; n < 200; ++n) {
-    const double next = (force(u, n * dt) / mass - damping * v - 0.5 * damping * dt * a) / (1 + 0.5 * damping * dt);
+    const double next =
+        (force(u, n * dt) / mass - damping * v - 0.5 * damping * dt * a) / (1 + 0.5 * damping * dt);
     v += 0.5 * dt * (next + a);
     a = next;
     u += dt * v + 0.5 * dt * dt * a;

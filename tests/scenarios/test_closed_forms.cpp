@@ -28,8 +28,8 @@ double cauchy_xx(AnySimulation& simulation, double stretch) {
   return stretch * stretch * fields.stress[0].xx / fields.J[0];
 }
 
-/// Cauchy stress along the pulled axis of a compressible neo-Hookean cube whose free faces carry none, by bisection on
-/// their stretch b.
+/// Cauchy stress along the pulled axis of a compressible neo-Hookean cube whose free faces carry none, by
+/// bisection on their stretch b.
 double exact_stress(double l, bool two) {
   auto stress = [&](double along, double b) {
     const double other = two ? l : b, J = l * other * b, I1 = l * l + other * other + b * b;
@@ -49,15 +49,18 @@ TEST_P(ClosedForm, UniaxialAndEquibiaxial) {
       const Model model = stretched_cube(l, two, Formulation::h8_full);
       auto simulation = simulate(model, GetParam());
       while (!simulation->finished()) simulation->step(100);
-      const double incompressible = mu * (two ? l * l - 1 / std::pow(l, 4) : l * l - 1 / l), exact = exact_stress(l, two);
-      EXPECT_NEAR(cauchy_xx(*simulation, l), exact, 2e-4 * std::abs(exact)) << "stretch " << l << (two ? " biaxial" : "");
+      const double incompressible = mu * (two ? l * l - 1 / std::pow(l, 4) : l * l - 1 / l),
+                   exact = exact_stress(l, two);
+      EXPECT_NEAR(cauchy_xx(*simulation, l), exact, 2e-4 * std::abs(exact))
+          << "stretch " << l << (two ? " biaxial" : "");
       // the pressure changes the volume by about |stress| / kappa, the stress by a few times that share
       EXPECT_NEAR(exact, incompressible, 4 * std::abs(exact) * std::abs(exact) / kappa);
     }
 }
 
 TEST_P(ClosedForm, SimpleShear) {
-  for (const auto formulation : {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_full}) {
+  for (const auto formulation :
+       {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_full}) {
     const double gamma = 0.4;
     Model model = box_model({2, 2, 2}, {1, 1, 1}, formulation, {"NH", {mu, kappa}, 1000});
     const auto all = nodes_where(model.mesh, [](const auto&) { return true; });
@@ -84,14 +87,15 @@ Mesh sphere_octant(int n, int layers, double inner, double outer) {
   Mesh mesh;
   std::map<std::array<long, 3>, int> known;
   auto node = [&](int patch, int i, int j, int k) {
-    const double p = double(i) / n, q = double(j) / n, r = inner * std::pow(outer / inner, double(k) / layers);
+    const double p = double(i) / n, q = double(j) / n,
+                 r = inner * std::pow(outer / inner, double(k) / layers);
     std::array<double, 3> d{};
     d[static_cast<std::size_t>(patch)] = 1, d[static_cast<std::size_t>((patch + 1) % 3)] = p,
     d[static_cast<std::size_t>((patch + 2) % 3)] = q;
     const double s = r / std::sqrt(1 + p * p + q * q);
     const Vec3<double> X{s * d[0], s * d[1], s * d[2]};
-    auto [place, is_new] = known.try_emplace({std::lround(X.x * 1e9), std::lround(X.y * 1e9), std::lround(X.z * 1e9)},
-                                             mesh.node_count());
+    auto [place, is_new] = known.try_emplace(
+        {std::lround(X.x * 1e9), std::lround(X.y * 1e9), std::lround(X.z * 1e9)}, mesh.node_count());
     if (is_new) mesh.X.push_back(X);
     return place->second;
   };
@@ -99,10 +103,14 @@ Mesh sphere_octant(int n, int layers, double inner, double outer) {
     for (int k = 0; k < layers; ++k)
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
-          const std::array<int, 8> e{node(patch, i, j, k),         node(patch, i + 1, j, k),
-                                     node(patch, i + 1, j + 1, k), node(patch, i, j + 1, k),
-                                     node(patch, i, j, k + 1),     node(patch, i + 1, j, k + 1),
-                                     node(patch, i + 1, j + 1, k + 1), node(patch, i, j + 1, k + 1)};
+          const std::array<int, 8> e{node(patch, i, j, k),
+                                     node(patch, i + 1, j, k),
+                                     node(patch, i + 1, j + 1, k),
+                                     node(patch, i, j + 1, k),
+                                     node(patch, i, j, k + 1),
+                                     node(patch, i + 1, j, k + 1),
+                                     node(patch, i + 1, j + 1, k + 1),
+                                     node(patch, i, j + 1, k + 1)};
           mesh.add_element(Shape::hexahedron, e);
         }
   return mesh;
@@ -135,7 +143,8 @@ TEST(ThickSphere, InnerPressureGivesTheClosedFormStretch) {
   double mean = 0;
   int count = 0;
   for (std::size_t n = 0; n < u.size(); ++n)
-    if (std::abs(radius(model.mesh.X[n]) - inner) < 1e-9) mean += radius(model.mesh.X[n] + u[n]) / inner, ++count;
+    if (std::abs(radius(model.mesh.X[n]) - inner) < 1e-9)
+      mean += radius(model.mesh.X[n] + u[n]) / inner, ++count;
   EXPECT_NEAR(mean / count, stretch, 0.02 * (stretch - 1) + 0.002);
 }
 

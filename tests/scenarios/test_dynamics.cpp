@@ -12,7 +12,8 @@ const Material soft{"NH", mu_kappa(3000, 0.45), 1000};
 class Dynamics : public Matrix {};
 
 TEST_P(Dynamics, FreeFallIsHalfGTSquared) {
-  for (const auto formulation : {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_full}) {
+  for (const auto formulation :
+       {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_full}) {
     Model model = box_model({2, 2, 2}, {0.1, 0.1, 0.1}, formulation, soft);
     model.time.total = 0.2;
     model.gravity.push_back({{}, {0, 0, -9.81}, step_curve(0.2)});
@@ -32,7 +33,8 @@ TEST_P(Dynamics, MomentumOfAFreeBodyStays) {
   const auto v0 = simulation->velocity();
   while (!simulation->finished()) simulation->step(50);
   const auto v1 = simulation->velocity();
-  // equal masses do not hold on this mesh: weigh with the tributary volume through the centre of mass of the field
+  // equal masses do not hold on this mesh: weigh with the tributary volume through the centre of mass of the
+  // field
   const auto nodal = [&] {
     std::vector<double> m(v0.size(), 0.0);
     for (int e = 0; e < model.mesh.element_count(); ++e) {
@@ -83,7 +85,7 @@ TEST_P(Dynamics, WaveSpeedAndStressInABar) {
     if (std::abs(x - 0.25 * L) < 1e-3) quarter = v[n].x;
     if (std::abs(x - 0.75 * L) < 1e-3) three_quarters = v[n].x;
   }
-  EXPECT_NEAR(quarter, 0, 0.15 * 0.01);             // at rest behind the front (oscillations of a sharp front)
+  EXPECT_NEAR(quarter, 0, 0.15 * 0.01);  // at rest behind the front (oscillations of a sharp front)
   EXPECT_NEAR(three_quarters, -0.01, 0.02 * 0.01);  // not reached yet
   const auto fields = simulation->element_fields();
   double mean = 0;

@@ -1,4 +1,5 @@
-// Single precision on the fast backend against the double reference, feature by feature. Writes the table of doc/precision.md.
+// Single precision on the fast backend against the double reference, feature by feature. Writes the table of
+// doc/precision.md.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -38,13 +39,17 @@ std::vector<Facet> top_facets(const Model& model) {
 
 std::vector<Feature> features() {
   std::vector<Feature> all;
-  for (const auto f : {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_fixed, Formulation::h8_full})
+  for (const auto f :
+       {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_fixed, Formulation::h8_full})
     all.push_back({std::string("element ") + name_of(f), swinging(f, {"NH", nh})});
   const std::vector<std::pair<std::string, std::vector<double>>> laws{
-      {"LE", {3000, 0.45}},          {"AB", {1000, 2, 20000}},
-      {"PY", {300, 200, 50, 50, 20, 20000}}, {"TI", {1000, 20000, 3000, 1, 1, 0}},
+      {"LE", {3000, 0.45}},
+      {"AB", {1000, 2, 20000}},
+      {"PY", {300, 200, 50, 50, 20, 20000}},
+      {"TI", {1000, 20000, 3000, 1, 1, 0}},
       {"OG", {800, 2, -100, -4, 0, 1, 20000}}};
-  for (const auto& [law, parameters] : laws) all.push_back({"law " + law, swinging(Formulation::t4, {law, parameters})});
+  for (const auto& [law, parameters] : laws)
+    all.push_back({"law " + law, swinging(Formulation::t4, {law, parameters})});
   Model model = swinging(Formulation::t4, {"NH", nh});
   model.sections[0].material.isochoric = {{0.3, 0.02}, {0.2, 0.2}};
   model.sections[0].material.volumetric = {{0.1, 0.05}};
@@ -56,7 +61,8 @@ std::vector<Feature> features() {
   model.tractions.push_back({top_facets(model), {{5, 5, -5}}, smooth_curve(0.3)});
   all.push_back({"traction", model});
   model = swinging(Formulation::t4, {"NH", nh});
-  model.springs.push_back({face(model.mesh, 2, 0.04), {{0, 0, 0.01}}, {0.5}, ramp_curve(0.3), step_curve(0.3), 1e-5});
+  model.springs.push_back(
+      {face(model.mesh, 2, 0.04), {{0, 0, 0.01}}, {0.5}, ramp_curve(0.3), step_curve(0.3), 1e-5});
   all.push_back({"springs with energy cap", model});
   model = swinging(Formulation::h8, {"NH", nh});
   RigidBody probe;
@@ -73,7 +79,8 @@ std::vector<Feature> features() {
 
 TEST(Precision, SingleAgainstTheDoubleReference) {
   std::ofstream table(std::string(GLISSON_BINARY_DIR) + "/precision.md");
-  table << "| feature | steps | largest difference / largest displacement |\n|---|---|---|\n" << std::scientific << std::setprecision(1);
+  table << "| feature | steps | largest difference / largest displacement |\n|---|---|---|\n"
+        << std::scientific << std::setprecision(1);
   for (const auto& feature : features()) {
     auto fast = simulate(feature.model, threads_float), exact = simulate(feature.model, serial_double);
     Model same_step = feature.model;  // both must take the same steps to be compared

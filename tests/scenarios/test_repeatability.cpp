@@ -10,7 +10,8 @@
 namespace glisson::test {
 namespace {
 
-/// Everything at once: two materials, viscosity, gravity, pressure, prescribed motion, springs, a plate, damping.
+/// Everything at once: two materials, viscosity, gravity, pressure, prescribed motion, springs, a plate,
+/// damping.
 Model busy_model(Formulation formulation, bool quasi_static) {
   Model model = box_model({12, 6, 6}, {0.12, 0.06, 0.06}, formulation, {"NH", {1000, 20000}, 1000}, 0.1);
   Section tail = model.sections[0];
@@ -22,7 +23,8 @@ Model busy_model(Formulation formulation, bool quasi_static) {
   model.fixed.push_back({face(model.mesh, 0, 0), all_axes});
   model.displacements.push_back({face(model.mesh, 0, 0.12), 1, {0.005}, smooth_curve(0.2)});
   model.gravity.push_back({{}, {0, 0, -9.81}, ramp_curve(0.2)});
-  model.springs.push_back({face(model.mesh, 1, 0.06), {{0, 0.004, 0}}, {0.5}, ramp_curve(0.2), step_curve(0.2), 1e-5});
+  model.springs.push_back(
+      {face(model.mesh, 1, 0.06), {{0, 0.004, 0}}, {0.5}, ramp_curve(0.2), step_curve(0.2), 1e-5});
   RigidBody plate;
   plate.corners = {Vec3<double>{-1, -1, -0.0005}, Vec3<double>{1, -1, -0.0005}, Vec3<double>{-1, 1, -0.0005}};
   model.bodies.push_back(plate);

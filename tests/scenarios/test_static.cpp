@@ -29,7 +29,8 @@ std::vector<std::array<double, 7>> reference(const std::string& name) {
   return rows;
 }
 
-/// The block of tests/reference/calculix/make_case.py: clamped at x = 0, total force 0.03 N along z at x = 0.06.
+/// The block of tests/reference/calculix/make_case.py: clamped at x = 0, total force 0.03 N along z at x =
+/// 0.06.
 Model clamped_block(std::array<int, 3> cells, Formulation formulation) {
   const Vec3<double> size{0.06, 0.02, 0.02};
   Model model = box_model(cells, size, formulation, {"NH", {1000, 5000}, 1000});
@@ -59,8 +60,10 @@ TEST_P(Static, RelaxationFindsTheSolutionOfAnIndependentCode) {
   for (const auto& row : rows) {
     const auto& mine = u[static_cast<std::size_t>(row[0])];
     const auto& X = model.mesh.X[static_cast<std::size_t>(row[0])];
-    ASSERT_NEAR(X.x + X.y + X.z, row[1] + row[2] + row[3], 1e-9) << "node numbering differs from the reference";
-    largest = std::max({largest, std::abs(mine.x - row[4]), std::abs(mine.y - row[5]), std::abs(mine.z - row[6])});
+    ASSERT_NEAR(X.x + X.y + X.z, row[1] + row[2] + row[3], 1e-9)
+        << "node numbering differs from the reference";
+    largest =
+        std::max({largest, std::abs(mine.x - row[4]), std::abs(mine.y - row[5]), std::abs(mine.z - row[6])});
   }
   EXPECT_LT(largest, 0.0217 * (5e-6 + 2 * GetParam().rounding()));  // the reference prints 7 digits
 }
@@ -87,8 +90,9 @@ TEST(StaticAccuracy, BetterElementsApproachTheConvergedSolution) {
   EXPECT_NEAR(tip(clamped_block({12, 4, 4}, Formulation::h8), threads_float) / converged, 1, 0.06);
 }
 
-/// Cook's membrane at finite strain, plane strain: u_y at (48, 52) is 14.74 mm (deal.II code gallery, after Miehe 1994).
-/// Psi = mu/2 (I1bar - 3) + kappa/4 (J^2 - 1 - 2 ln J): the law AB without chain locking (lambda_m large).
+/// Cook's membrane at finite strain, plane strain: u_y at (48, 52) is 14.74 mm (deal.II code gallery, after
+/// Miehe 1994). Psi = mu/2 (I1bar - 3) + kappa/4 (J^2 - 1 - 2 ln J): the law AB without chain locking
+/// (lambda_m large).
 Model cook(int n, Formulation formulation) {
   const double mu = 0.4225, nu = 0.3, kappa = 2 * mu * (1 + nu) / (3 * (1 - 2 * nu));  // N/mm^2, mm
   Model model = box_model({n, n, 1}, {1, 1, 1}, formulation, {"AB", {mu, 1e3, kappa}, 1e-6});
@@ -104,7 +108,8 @@ Model cook(int n, Formulation formulation) {
   std::vector<double> share;
   for (const int a : end) {
     const double y = model.mesh.X[static_cast<std::size_t>(a)].y;
-    share.push_back((y < 44 + 1e-9 || y > 60 - 1e-9 ? 0.5 : 1.0) / (2.0 * n));  // total 1 N over two node layers
+    share.push_back((y < 44 + 1e-9 || y > 60 - 1e-9 ? 0.5 : 1.0) /
+                    (2.0 * n));  // total 1 N over two node layers
   }
   model.forces.push_back({end, 2, share, smooth_curve(1)});
   model.time = relaxed(1e-5, 1e-5);

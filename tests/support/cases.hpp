@@ -49,5 +49,5 @@ inline std::string case_name(const testing::TestParamInfo<Case>& info) { return 
 
 }  // namespace glisson::test
 
-#define GLISSON_ALL_CASES(suite)                                                                            \
+#define GLISSON_ALL_CASES(suite) \
   INSTANTIATE_TEST_SUITE_P(All, suite, testing::ValuesIn(glisson::test::all_cases), glisson::test::case_name)

@@ -46,8 +46,8 @@ inline Section section_of_all(const Mesh& mesh, Formulation formulation, const M
   return section;
 }
 
-inline Model box_model(std::array<int, 3> cells, Vec3<double> size, Formulation formulation, const Material& material,
-                       double jitter = 0) {
+inline Model box_model(std::array<int, 3> cells, Vec3<double> size, Formulation formulation,
+                       const Material& material, double jitter = 0) {
   Model model;
   model.name = "box";
   model.mesh = box_mesh(cells, size, shape_of(formulation), jitter);
@@ -56,7 +56,9 @@ inline Model box_model(std::array<int, 3> cells, Vec3<double> size, Formulation 
 }
 
 /// Shear and bulk modulus from Young's modulus and Poisson's ratio.
-inline std::vector<double> mu_kappa(double E, double nu) { return {E / (2 * (1 + nu)), E / (3 * (1 - 2 * nu))}; }
+inline std::vector<double> mu_kappa(double E, double nu) {
+  return {E / (2 * (1 + nu)), E / (3 * (1 - 2 * nu))};
+}
 
 inline LoadCurve step_curve(double total) { return {LoadShape::step, 0, total}; }
 inline LoadCurve ramp_curve(double total) { return {LoadShape::ramp, 0, total}; }
