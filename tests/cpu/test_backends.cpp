@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/cpu/bandwidth.hpp>
 #include <glisson/cpu/emulated_device.hpp>
 #include <glisson/cpu/threads.hpp>
 
@@ -66,6 +67,13 @@ TEST(Threads, SharesCoverEverythingOnce) {
       EXPECT_EQ(share_of(n, count - 1, count).last, n);
       for (int t = 1; t < count; ++t) EXPECT_EQ(share_of(n, t, count).first, share_of(n, t - 1, count).last);
     }
+}
+
+TEST(Threads, BandwidthIsMeasured) {
+  Threads threads(2);
+  const Bandwidth bandwidth = measure_bandwidth(threads, 1 << 20);
+  EXPECT_GT(bandwidth.read, 1e8);  // any machine of this century
+  EXPECT_GT(bandwidth.triad, 1e8);
 }
 
 TEST(Team, RefusesImpossibleSizes) {
