@@ -76,7 +76,8 @@ int check(const CheckArguments& arguments) {
              model.units.empty() ? "not declared" : model.units);
   print_quality(model.mesh);
   print_steps(model);
-  const auto simulation = make_simulation(model, arguments.simulation);
+  const auto simulation =
+      in_file(arguments.file, [&] { return make_simulation(model, arguments.simulation); });
   const StepReport report = simulation->report();
   fmt::print("device {}, memory {}\n", simulation->device(),
              bytes_text(static_cast<double>(simulation->memory_bytes())));

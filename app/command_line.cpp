@@ -134,31 +134,38 @@ void add_small(CLI::App& app, Action& action) {
   });
 }
 
-/// Adds the option that was probably meant.
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  const auto add = [&](const CLI::App& group) {
+    for (const auto* option : group.get_options())
+      for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  };
+  add(command);
+  for (const auto* group : command.get_subcommands([](const CLI::App*) { return true; })) add(*group);
+  return names;
+}
+
+/// Adds the name that was probably meant.
 std::string explain(const CLI::App& app, const CLI::ParseError& error,
                     const std::vector<std::string>& arguments) {
-  std::string text = error.what();
-  const CLI::App* command = &app;
-  std::vector<std::string> names;
-  for (const auto* subcommand : app.get_subcommands()) command = subcommand;
-  for (const auto* option : command->get_options()) {
-    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  const std::string text = error.what();
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty()) {
+    std::vector<std::string> names;
+    for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(command->get_name());
+    if (arguments.empty() || arguments.front().starts_with("-")) return text + detail::suggestion("", names);
+    return "There is no command '" + arguments.front() + "'" + detail::suggestion(arguments.front(), names);
   }
-  for (const auto* group :
-       command->get_subcommands(static_cast<std::function<bool(const CLI::App*)>>(nullptr)))
-    for (const auto* option : group->get_options())
-      for (const auto& name : option->get_lnames()) names.push_back("--" + name);
-  if (command == &app)
-    for (const auto* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
-      names.push_back(subcommand->get_name());
+  const auto names = option_names(*chosen.front());
   for (const auto& argument : arguments) {
     const std::string word = argument.substr(0, argument.find('='));
-    if (text.find(word) == std::string::npos || std::find(names.begin(), names.end(), word) != names.end())
-      continue;
+    const bool known = std::find(names.begin(), names.end(), word) != names.end();
+    if (known || !word.starts_with("-") || text.find(word) == std::string::npos) continue;
     const std::string near = detail::nearest(word, names);
     if (!near.empty()) return text + "; did you mean " + near + "?";
   }
-  return text + ". See glisson " + (command == &app ? "" : command->get_name() + " ") + "--help.";
+  return text + ". See glisson " + chosen.front()->get_name() + " --help.";
 }
 
 }  // namespace

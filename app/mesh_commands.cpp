@@ -109,7 +109,8 @@ int mesh(const MeshArguments& arguments) {
   options.one_region = arguments.one_region;
   options.largest_only = arguments.largest_only;
   options.scale = arguments.scale;
-  const LabelMesh made = mesh_labels(read_label_image(arguments.image), options);
+  const LabelMesh made =
+      in_file(arguments.image, [&] { return mesh_labels(read_label_image(arguments.image), options); });
   print_warnings(made.warnings);
   for (const auto& r : made.regions)
     fmt::print("label {}: {} elements, {:.1f} mL ({:.1f} mL in the image)\n", r.label, r.element_count,

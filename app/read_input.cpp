@@ -17,12 +17,8 @@ CheckedModel read_and_validate(const std::string& file, bool lenient) {
   options.lenient = lenient;
   options.warnings = &result.warnings;
   result.model = read_model(file, options);
-  try {
-    for (auto& warning : validate(result.model)) result.warnings.push_back(std::move(warning));
-  } catch (const Error& error) {
-    if (!error.place().file.empty()) throw;
-    throw Error(error.kind(), error.what(), {file, 0, ""});
-  }
+  for (auto& warning : in_file(file, [&] { return validate(result.model); }))
+    result.warnings.push_back(std::move(warning));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <glisson/core/base/error.hpp>
 #include <glisson/core/model.hpp>
 
 namespace glisson::app {
@@ -16,6 +17,17 @@ struct CheckedModel {
 
 /// Throws Error(input) for what cannot be read or simulated.
 CheckedModel read_and_validate(const std::string& file, bool lenient);
+
+/// Runs body(); an Error(input) without a place gets the file's name.
+template <class Body>
+auto in_file(const std::string& file, Body&& body) {
+  try {
+    return body();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::input || !error.place().file.empty()) throw;
+    throw Error(error.kind(), error.what(), {file, 0, error.place().element});
+  }
+}
 
 /// "12.3 MB", "850 kB".
 std::string bytes_text(double bytes);

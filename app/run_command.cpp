@@ -76,14 +76,14 @@ void print_stopped(const RunSummary& summary, const RunnerOptions& options) {
 }  // namespace
 
 int run(const RunArguments& arguments) {
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
   Console console(arguments.log_level, arguments.quiet);
   const CheckedModel input = read_and_validate(arguments.file, arguments.lenient);
   print_header(console, input);
   const RunnerOptions options = runner_options(arguments, input, console);
   Runner runner(input.model, options);
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
-  const bool done = runner.run();
+  const bool done = in_file(arguments.file, [&] { return runner.run(); });
   console.clear();
   const RunSummary& summary = runner.summary();
   if (!done) {

@@ -55,12 +55,12 @@ cmake --preset app -DCMAKE_INSTALL_MESSAGE=NEVER >/tmp/glisson-configure.$$ 2>&1
   exit 1
 }
 rm -f /tmp/glisson-configure.$$
-cmake --build --preset app -- --quiet
+cmake --build --preset app
 glisson=$PWD/build-app/app/glisson
 
 echo "== 3/4 image to mesh"
 fetch_image
-"$glisson" mesh "$image" -o examples/liver/liver.vtu --labels 255 --voxel "$voxel" --element T4
+"$glisson" mesh "$image" -o examples/liver/liver.vtu --labels 255 --voxel "$voxel" --element T4 --scale 0.001
 
 echo "== 4/4 simulation"
 "$glisson" run examples/liver/liver.xml -o "$results"

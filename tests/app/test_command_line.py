@@ -1,0 +1,246 @@
+#!/usr/bin/env python3
+"""Drives the glisson program: exit codes, messages, interruption, full disk, bad input.
+
+usage: test_command_line.py GLISSON [unittest arguments]
+"""
+import json
+import os
+import pathlib
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import malformed
+from simulations import box
+
+GLISSON = sys.argv.pop(1)
+
+
+def run(*arguments, timeout=120, **options):
+    return subprocess.run([GLISSON, *map(str, arguments)], capture_output=True, text=True, errors="replace",
+                          timeout=timeout, **options)
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.scratch.name)
+
+    def tearDown(self):
+        self.scratch.cleanup()
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def expect(self, done, code, *texts):
+        everything = done.stdout + done.stderr
+        self.assertEqual(done.returncode, code, everything)
+        for text in texts:
+            self.assertIn(text, done.stderr if code else everything)
+
+
+class Usage(InFolder):
+    def test_nothing(self):
+        self.expect(run(), 2, "subcommand")
+
+    def test_help_and_version(self):
+        self.expect(run("--help"), 0, "run", "bench", "selftest")
+        self.expect(run("run", "--help"), 0, "--precision")
+        self.expect(run("--version"), 0, "Glisson 0.")
+
+    def test_unknown_option_names_the_near_one(self):
+        self.expect(run("run", "a.xml", "--threds", "2"), 2, "--threds", "did you mean --threads")
+        self.expect(run("rum", "a.xml"), 2, "rum", "did you mean run")
+
+    def test_wrong_values(self):
+        file = self.write("box.xml", box(1))
+        for arguments in (["--threads", "-1"], ["--threads", "two"], ["--precision", "half"], ["--device", "gpu"],
+                          ["--log-level", "loud"], ["--print", "XX"], ["--checkpoint-minutes", "-1"]):
+            self.expect(run("run", file, "-o", self.folder / "out", *arguments), 2)
+        self.expect(run("bench", "--cases", "T5"), 2, "T5", "T4")
+
+    def test_no_such_device(self):
+        file = self.write("box.xml", box(1))
+        self.expect(run("run", file, "--device", "cuda:7"), 4, "without CUDA")
+        self.expect(run("run", "-x", file, "-sport"), 4, "without CUDA")
+
+
+class Input(InFolder):
+    def test_wrong_paths(self):
+        self.expect(run("run", self.folder / "absent.xml"), 3, "absent.xml")
+        self.expect(run("run", self.folder), 3, str(self.folder))
+        self.expect(run("info", self.folder / "absent.msh"), 3, "absent.msh")
+        self.expect(run("info", self.folder / "absent.nii"), 3, "absent.nii")
+
+    def test_output_that_cannot_be_written(self):
+        file = self.write("box.xml", box(1))
+        blocker = self.write("blocker", "a file")
+        self.expect(run("run", file, "-o", blocker / "out"), 1, "blocker")
+        self.expect(run("run", file, "-o", blocker), 1, "blocker")
+
+    def test_malformed_files(self):
+        count = 0
+        for name, content in malformed.files():
+            file = self.write(name, content)
+            with self.subTest(name):
+                done = run("run" if name.endswith(".xml") else "info", file, *(["-o", self.folder / "out"]
+                                                                             if name.endswith(".xml") else []))
+                self.expect(done, 3, "error:", name)
+            count += 1
+        self.assertGreaterEqual(count, 80)
+
+    def test_lenient(self):
+        file = self.write("box.xml", box(1, extra="<Colour/>"))
+        self.expect(run("run", file, "-o", self.folder / "out"), 3, "Colour")
+        self.expect(run("run", file, "-o", self.folder / "out", "--lenient"), 0, "Colour")
+
+
+class Runs(InFolder):
+    def test_summary_and_files(self):
+        file, out = self.write("box.xml", box(2, output=20)), self.folder / "out"
+        self.expect(run("run", file, "-o", out), 0, "largest displacement", "ms per step")
+        summary = json.loads((out / "summary.json").read_text())
+        self.assertEqual(summary["status"], "done")
+        self.assertEqual(summary["steps"]["count"], summary["steps"]["planned"])
+        self.assertAlmostEqual(summary["time_s"], 0.5)
+        self.assertGreater(summary["largest_displacement"]["value"], 0.0099)
+        energies = summary["energies"]
+        self.assertLess(abs(energies["imbalance"]), 0.01 * energies["strain"])
+        names = {path.name for path in out.iterdir()}
+        self.assertLessEqual({"box.pvd", "history.csv", "U.txt", "box_000000.vtu"}, names)
+        self.assertNotIn("checkpoint.glisson", names)
+        columns = {len(line.split()) for line in (out / "U.txt").read_text().splitlines()}
+        self.assertEqual(columns, {summary["steps"]["count"] // 20})
+
+    def test_quiet_and_locale(self):
+        file = self.write("box.xml", box(1))
+        environment = {**os.environ, "LC_ALL": "de_DE.UTF-8", "LC_NUMERIC": "de_DE.UTF-8"}
+        done = run("run", file, "-o", self.folder / "out", "--quiet", env=environment)
+        self.expect(done, 0)
+        self.assertEqual(done.stdout + done.stderr, "")
+        self.assertIn("0.", (self.folder / "out/history.csv").read_text())
+
+    def test_options_of_niftysim(self):
+        file = self.write("box.xml", box(1, output=5))
+        prefix = self.folder / "case1_"
+        done = run("-x", file, "-v", "-t", "-print", "ND", "-print", "ES", "-output-prefix", prefix, "-o", self.folder / "out")
+        self.expect(done, 0, "Execution time:", "strain energy", "\n7 ")
+        self.assertTrue((self.folder / "case1_U.txt").exists())
+
+    def test_divergence_is_a_failed_run(self):
+        file = self.write("box.xml", box(2, system="<TimeStep> 0.02 </TimeStep>"))
+        out = self.folder / "out"
+        self.expect(run("run", file, "-o", out), 1, "step")
+        summary = json.loads((out / "summary.json").read_text())
+        self.assertEqual(summary["status"], "failed")
+        self.assertTrue(summary["message"])
+        for file in out.iterdir():
+            self.assertNotIn(b"nan", file.read_bytes().lower())
+
+    def test_other_commands(self):
+        file = self.write("box.xml", box(2))
+        self.expect(run("check", file), 0, "can be run", "stable up to")
+        self.expect(run("info", file), 0, "8 hexahedra")
+        self.expect(run("devices"), 0, "cpu")
+        self.expect(run("bench", "--sizes", "1000", "--seconds", "0.05", "--json", self.folder / "b/bench.json"), 0, "T4ANP")
+        self.assertEqual(len(json.loads((self.folder / "b/bench.json").read_text())["results"]), 4)
+
+    def test_image_to_mesh_to_other_formats(self):
+        header = b"#INRIMAGE-4#{\nXDIM=6\nYDIM=6\nZDIM=6\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\nSCALE=2**0\n" \
+                 b"CPU=decm\nVX=1\nVY=1\nVZ=1\n"
+        image = self.write("cube.inr", header + b"\n" * (256 - len(header) - 4) + b"##}\n" + b"\7" * 216)
+        self.expect(run("info", image), 0, "7 (216 voxels)")
+        mesh = self.folder / "cube.vtu"
+        self.expect(run("mesh", image, "-o", mesh, "--voxel", "3mm", "--labels", "7"), 0, "48 elements")
+        self.expect(run("mesh", image, "-o", mesh, "--voxel", "3"), 2, "as in 6mm")
+        self.expect(run("mesh", image, "-o", mesh, "--voxel", "3mm", "--labels", "9"), 3, "cube.inr", "7 (216 voxels)")
+        for name in ("cube.msh", "cube.vtk", "again.vtu"):
+            self.expect(run("convert", mesh, self.folder / name), 0)
+            self.expect(run("info", self.folder / name), 0, "48 tetrahedra", "label 7: 48 elements")
+
+
+class Interruption(InFolder):
+    def start(self, file, out, *arguments):
+        return subprocess.Popen([GLISSON, "run", file, "-o", out, *arguments], stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, text=True)
+
+    def wait_for(self, path):
+        for _ in range(600):
+            if path.exists():
+                return
+            time.sleep(0.05)
+        self.fail(f"{path} did not appear")
+
+    def test_stopped_and_resumed_gives_the_same_bits(self):
+        file = self.write("box.xml", box(8, output=150, total=10))
+        whole, parts = self.folder / "whole", self.folder / "parts"
+        self.expect(run("run", file, "-o", whole), 0)
+        interrupted = 0
+        for attempt in range(4):
+            there = len(list(parts.glob("*.vtu")))
+            process = self.start(file, parts, *(["--resume"] if attempt else []), *(["--threads", "1"] if attempt % 2 else []))
+            if attempt < 3:
+                self.wait_for(parts / f"box_{there + 1:06}.vtu")
+                process.send_signal(signal.SIGINT if attempt else signal.SIGTERM)
+            _, errors = process.communicate(timeout=120)
+            interrupted += process.returncode == 130
+            if process.returncode == 0:
+                break
+            self.assertEqual(process.returncode, 130, errors)
+            self.assertIn("--resume", errors)
+        self.assertGreaterEqual(interrupted, 1, "the run was over before it could be stopped")
+        self.assertEqual(process.returncode, 0, errors)
+        names = sorted(p.name for p in whole.iterdir())
+        self.assertEqual(names, sorted(p.name for p in parts.iterdir()))
+        for name in names:
+            if name != "summary.json":
+                self.assertEqual((whole / name).read_bytes(), (parts / name).read_bytes(), name)
+
+    def test_checkpoint_of_another_model(self):
+        out = self.folder / "out"
+        first, second = self.write("box.xml", box(8, total=20)), self.write("changed.xml", box(8, total=21))
+        process = self.start(first, out)
+        self.wait_for(out / "history.csv")
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.expect(run("run", second, "-o", out, "--resume"), 3, "checkpoint.glisson", "another model")
+        self.expect(run("run", first, "-o", out, "--resume", "--precision", "double"), 3, "checkpoint.glisson")
+        checkpoint = out / "checkpoint.glisson"
+        data = checkpoint.read_bytes()
+        checkpoint.write_bytes(data[:-100])
+        self.expect(run("run", first, "-o", out, "--resume"), 3, "cut off")
+        checkpoint.write_bytes(data[:-100] + bytes(b ^ 255 for b in data[-100:]))
+        self.expect(run("run", first, "-o", out, "--resume"), 3, "damaged")
+        self.expect(run("run", first, "-o", self.folder / "new", "--resume"), 3, "no checkpoint")
+
+    def test_killed_run_leaves_complete_snapshots(self):
+        file, out = self.write("box.xml", box(8, output=20, total=60)), self.folder / "out"
+        process = self.start(file, out)
+        self.wait_for(out / "box_000003.vtu")
+        process.kill()
+        process.communicate(timeout=60)
+        listed = [line.split('file="')[1].split('"')[0] for line in (out / "box.pvd").read_text().splitlines() if "file=" in line]
+        self.assertGreaterEqual(len(listed), 2)
+        for name in listed:
+            self.assertTrue((out / name).read_text().rstrip().endswith("</VTKFile>"), name)
+        self.assertEqual(json.loads((out / "summary.json").read_text())["status"], "running")
+
+    def test_full_disk(self):
+        file, out = self.write("box.xml", box(8, output=20, total=5)), self.folder / "out"
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (30000, 30000))
+        done = run("run", file, "-o", out, preexec_fn=limit)
+        self.expect(done, 1, "cannot write", "bytes")
+        for snapshot in out.glob("*.vtu"):
+            self.assertTrue(snapshot.read_text().rstrip().endswith("</VTKFile>"), snapshot.name)
+        self.assertEqual(json.loads((out / "summary.json").read_text())["status"], "failed")
+
+
+if __name__ == "__main__":
+    unittest.main()
