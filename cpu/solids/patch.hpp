@@ -60,8 +60,9 @@ struct Pass {
   float* force_rows = nullptr;  ///< of this thread: forces of its elements; the first 16 floats stay 0
   const PronyCoefficients<float>* prony = nullptr;  ///< [isochoric + volumetric]
   int isochoric = 0, volumetric = 0;                ///< number of terms
-  bool advance = true;                              ///< store the history
-  LawFunction law = nullptr;                        ///< of kernels that are not compiled for one law
+  const Patch* next = nullptr;  ///< patch to fetch into the cache meanwhile; null: everything fits anyway
+  bool advance = true;          ///< store the history
+  LawFunction law = nullptr;    ///< of kernels that are not compiled for one law
 };
 
 /// Parameters and history of one tile of elements (and integration point).

@@ -62,6 +62,7 @@ class PatchSolids final : public SolidForces<float> {
   std::vector<int> cut_;  ///< first patch of each thread           [threads + 1]
   SharedNodes shared_;
   bool averages_pressure_ = false;
+  bool streams_ = false;  ///< patches do not fit into the caches of the cores
   int scratch_floats_ = 0, local_floats_ = 0;
   Buffer<float> scratch_;     ///< local rows and force rows            [threads][scratch_floats]
   Buffer<float> slot_force_;  ///< [slots][4]
