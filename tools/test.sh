@@ -136,6 +136,7 @@ fuzz_one() {
 }
 
 stage_fuzz() {
+  export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
   build fuzz fuzzers || return 0
   local source
   for source in tests/fuzz/fuzz_*.cpp; do

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <sstream>
 
 #include <glisson/core/base/error.hpp>
 
@@ -14,10 +14,12 @@ namespace {
 std::int64_t steps_in(double interval, double dt) {
   const double ratio = interval / dt;
   constexpr double limit = 1e12;
-  if (!(ratio < limit))
-    throw Error(ErrorKind::input,
-                "The run would need " + std::to_string(ratio) + " time steps of " + std::to_string(dt) +
-                    " s, which never ends. Use a larger TimeStep, a coarser mesh or mass scaling.");
+  if (!(ratio < limit)) {
+    std::ostringstream text;
+    text << "The run would need " << ratio << " time steps of " << dt
+         << " s, which never ends. Use a larger TimeStep, a coarser mesh or mass scaling.";
+    throw Error(ErrorKind::input, text.str());
+  }
   const double nearest = std::round(ratio);
   const bool whole = std::abs(ratio - nearest) < 1e-6 * std::max(1.0, nearest) && nearest >= 1;
   return std::max<std::int64_t>(1, static_cast<std::int64_t>(whole ? nearest : std::ceil(ratio)));
