@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 
+#include <glisson/core/base/error.hpp>
 #include <glisson/models/format/read_model.hpp>
 #include <glisson/run/make_simulation.hpp>
 

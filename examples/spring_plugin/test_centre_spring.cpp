@@ -20,6 +20,7 @@ glisson::Model moving_block() {
   model.mesh = glisson::box_mesh({2, 2, 2}, {side, side, side}, glisson::Shape::hexahedron);
   glisson::Section section;
   section.name = "block";
+  section.formulation = glisson::Formulation::h8;
   section.material = {.law = "NH", .parameters = {2000, 20000}, .density = density};
   section.elements.resize(static_cast<std::size_t>(model.mesh.element_count()));
   std::iota(section.elements.begin(), section.elements.end(), 0);
