@@ -146,7 +146,7 @@ struct TimeSettings {
   double damping = 0;              ///< mass-proportional, C = damping M [1/s]
   std::optional<double> mass_scaling_step;  ///< elements with a smaller stable step get mass added [s]
   std::optional<QuasiStatic> quasi_static;
-  int monitor_every = 0;  ///< energies every n steps; 0: about 200 times a run
+  int monitor_every = 0;  ///< energies every n steps; 0: about 100 times a run
   double energy_tolerance =
       0.2;  ///< the run stops when the balance is off by more than this share; <= 0: never
 };
