@@ -51,7 +51,9 @@ endsolid plane
 
 class FormatFiles : public testing::Test {
  protected:
-  fs::path directory = fs::path(GLISSON_BINARY_DIR) / "format_files";
+  /// Of this test alone: tests run side by side.
+  fs::path directory = fs::path(GLISSON_BINARY_DIR) / "format_files" /
+                       testing::UnitTest::GetInstance()->current_test_info()->name();
   std::vector<std::string> warnings;
 
   void SetUp() override {
