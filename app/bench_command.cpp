@@ -9,10 +9,10 @@
 #include <ostream>
 #include <thread>
 
-#include <glisson/app/bandwidth.hpp>
 #include <glisson/app/box_case.hpp>
 #include <glisson/app/commands.hpp>
 #include <glisson/core/base/error.hpp>
+#include <glisson/cpu/bandwidth.hpp>
 #include <glisson/models/format/suggest.hpp>
 #include <glisson/models/output/atomic_file.hpp>
 #include <glisson/version.hpp>
@@ -67,6 +67,12 @@ struct Entry {
   }
 };
 
+/// The triad over arrays far larger than the caches [bytes/s]; the arrays are gone when it returns.
+double triad_bandwidth(int thread_count) {
+  Threads threads(thread_count);
+  return measure_bandwidth(threads, std::size_t{64} << 20).triad;
+}
+
 Entry prepare(const BoxCase& variant, int elements, const BenchArguments& arguments) {
   Entry entry;
   entry.variant = variant;
@@ -110,7 +116,7 @@ nlohmann::ordered_json result_of(Entry& entry, double bandwidth) {
 int bench(const BenchArguments& arguments) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const auto list = chosen(arguments.cases);
-  const double bandwidth = measured_bandwidth(arguments.threads > 0 ? arguments.threads : cores);
+  const double bandwidth = triad_bandwidth(arguments.threads);
   fmt::print(
       "memory bandwidth {:.1f} GB/s; share: bytes of all arrays, each once per step, over time and "
       "bandwidth\n",

@@ -23,7 +23,7 @@ Model box_model(const BoxCase& c, int elements, double total_time) {
   section.material.law = c.law;
   section.material.parameters = c.parameters;
   section.material.density = 1000;
-  if (c.viscous) section.material.isochoric = {{0.4, 0.5}};
+  if (c.viscous) section.material.isochoric = {{0.3, 0.1}, {0.2, 1}};
   section.elements.resize(static_cast<std::size_t>(model.mesh.element_count()));
   std::iota(section.elements.begin(), section.elements.end(), 0);
   model.sections.push_back(section);

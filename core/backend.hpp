@@ -27,6 +27,16 @@ struct NoBody {
   GLISSON_HD void operator()(int) const {}
 };
 
+/// What one call of a body takes in units of a cheap one (about 1 ns): bodies that stand for many nodes or
+/// entries say so in `cost`, so that a backend can judge whether a short loop is worth its team.
+template <class F>
+constexpr int cost_of_body() {
+  if constexpr (requires { F::cost; })
+    return F::cost;
+  else
+    return 1;
+}
+
 /// for_each runs body(0) ... body(n - 1) in any order and returns when they are visible to the next call.
 /// Bodies are trivially copyable, write disjoint places and never see the host.
 template <class B>

@@ -15,7 +15,7 @@ namespace glisson {
 class Threads {
  public:
   static constexpr Space space = Space::host;
-  /// Loops shorter than this run on the caller: waking the others would cost more than cheap bodies do.
+  /// Loops that cost less than so many cheap bodies run on the caller: waking the others would take longer.
   static constexpr int serial_below = 2048;
 
   /// threads = 0: as many as this process may use.
@@ -48,12 +48,13 @@ class Threads {
   template <class F>
   void for_each(int n, F body) {
     static_assert(std::is_trivially_copyable_v<F>);
-    if (n < serial_below || thread_count() == 1) {
+    constexpr int cost = cost_of_body<F>(), grain = std::max(8, 64 / cost);
+    if (n < (serial_below + cost - 1) / cost || thread_count() == 1) {
       for (int i = 0; i < n; ++i) body(i);
       return;
     }
     team_.run([this, n, body](int thread) {
-      const Share share = share_of(n, thread, team_.size());
+      const Share share = share_of(n, thread, team_.size(), grain);
       for (int i = share.first; i < share.last; ++i) body(i);
     });
   }

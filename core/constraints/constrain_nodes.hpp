@@ -46,6 +46,7 @@ struct ConstraintView {
 /// u(n+1) and v(n+1/2) of constrained nodes, exactly.
 template <class R>
 struct ConstrainNodes {
+  static constexpr int cost = 10;
   ConstraintView list;
   Vec4<R>*u, *v;  ///< [node_count]
   CurveValues displacement, velocity;

@@ -2,6 +2,8 @@
 // afterwards.
 #pragma once
 
+#include <cmath>
+
 #include <glisson/core/tensor/tensor.hpp>
 
 namespace glisson {
@@ -76,7 +78,7 @@ struct NodeEnergies {
 /// the balance of a linear system closes to round-off at any stable dt.
 template <class R, class Stepper>
 struct AdvanceNodesMonitored {
-  static constexpr int chunk = 64;
+  static constexpr int chunk = 64, cost = 4 * chunk;
   AdvanceNodes<R, Stepper> advance;
   NodeEnergies* energies;  ///< [ceil(node_count / chunk)]
   int node_count;
@@ -106,6 +108,31 @@ struct AdvanceNodesMonitored {
     e.kinetic = 0.5 * kinetic;
     e.damping += share * ((first_step ? 0 : before) + ahead);
     e.damping_ahead = share * ahead;
+  }
+};
+
+/// The same between two accounts: only the dissipation, m |a + b|^2 with a = v(n-1/2), b = v(n+1/2), goes on.
+/// The sum over a chunk is in R: a third of the time.
+template <class R, class Stepper>
+struct AdvanceNodesDamped {
+  static constexpr int chunk = AdvanceNodesMonitored<R, Stepper>::chunk, cost = 2 * chunk;
+  AdvanceNodes<R, Stepper> advance;
+  NodeEnergies* energies;  ///< [ceil(node_count / chunk)]
+  int node_count;
+  double damping;  ///< [1/s]
+  double dt;       ///< [s]
+
+  GLISSON_HD void operator()(int c) const {
+    const int end = node_count < (c + 1) * chunk ? node_count : (c + 1) * chunk;
+    R sum = R(0);
+    for (int n = c * chunk; n < end; ++n) {
+      const Vec3<R> a = vector_part(advance.v[n]);
+      advance(n);
+      const Vec4<R> b = advance.v[n];
+      const Vec3<R> both{a.x + b.x, a.y + b.y, a.z + b.z};
+      sum += (both.x * both.x + both.y * both.y + both.z * both.z) / (b.w > R(0) ? b.w : R(INFINITY));
+    }
+    energies[c].damping += 0.25 * damping * dt * double(sum);
   }
 };
 

@@ -50,6 +50,7 @@ struct Copy {
 /// sums[c] = sum over the chunk of m a.b (mass-weighted) or a.b, free nodes only.
 template <class R>
 struct DotChunk {
+  static constexpr int cost = 2 * node_chunk;
   const Vec4<R>*a, *b, *v;
   bool mass_weighted;
   int node_count;
@@ -70,6 +71,7 @@ struct DotChunk {
 /// maxima[c] = largest |a_i|^2 in the chunk.
 template <class R>
 struct LargestChunk {
+  static constexpr int cost = node_chunk;
   const Vec4<R>* a;
   int node_count;
   double* maxima;  ///< [node_chunks(node_count)]

@@ -38,7 +38,7 @@ struct AddForces {
 /// v(n-1/2), in double.
 template <class R, class Rule>
 struct AddForcesWithWork {
-  static constexpr int chunk = entries_per_sum;
+  static constexpr int chunk = entries_per_sum, cost = 10 * chunk;
   AddForces<R, Rule> forces;
   const Vec4<R>* v;  ///< velocity at t - dt/2 [m/s]  [node_count]
   double* work;      ///< [J]                         [ceil(entry_count / chunk)]

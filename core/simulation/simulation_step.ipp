@@ -87,6 +87,10 @@ void Simulation<B, R>::advance(bool energies) {
       backend_.for_each(monitor_.chunk_count(),
                         AdvanceNodesMonitored<R, S>{body, monitor_.chunks(), nodes_.count(),
                                                     model_.time.damping, plan_.dt(), step_ == 0});
+    else if (model_.time.damping > 0)
+      backend_.for_each(
+          monitor_.chunk_count(),
+          AdvanceNodesDamped<R, S>{body, monitor_.chunks(), nodes_.count(), model_.time.damping, plan_.dt()});
     else
       backend_.for_each(nodes_.count(), body);
   });
@@ -104,7 +108,7 @@ void Simulation<B, R>::one_step() {
   const double t_next = load_time(step_ + 1);
   if (view.monitor)
     with_stepper([&](const auto& stepper) { parts_.constraints->add_reactions(view, t_next, stepper); });
-  advance(due || model_.time.damping > 0);
+  advance(due);
   parts_.constraints->apply(nodes_.u(), nodes_.v(), t_next, plan_.dt());
   if (due) account(view.t);
   ++step_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/core/kernels/advance_nodes.hpp>
 #include <glisson/core/simulation/step_plan.hpp>
 #include <glisson/core/steppers/steppers.hpp>
 
@@ -69,6 +70,38 @@ TEST(StepPlan, AShorterStepStillEndsThere) {
 }
 
 TEST(StepPlan, RefusesWhatNeverEnds) { EXPECT_THROW(StepPlan(1.0, 1e-300), Error); }
+
+// Between two accounts only the dissipation is summed: same motion, same dissipation.
+TEST(Steppers, DampedUpdateDissipatesWhatTheMonitoredOneDoes) {
+  constexpr int count = 150, chunks = 3;
+  using Step = CentralDifference<float>;
+  const Step step = Step::make(5, 1e-3, 1e-3);
+  std::vector<Vec4<float>> u[2], v[2], f[2];
+  std::vector<NodeEnergies> energies[2];
+  for (int k = 0; k < 2; ++k) {
+    energies[k].resize(chunks);
+    u[k].resize(count), v[k].resize(count), f[k].resize(count);
+    for (int n = 0; n < count; ++n) {
+      const auto i = static_cast<std::size_t>(n);
+      const float x = 0.01f * static_cast<float>(n);
+      v[k][i] = {x, 1 - x, 0.5f * x, n % 7 == 0 ? 0.0f : 3 + x};  // some nodes have no mass
+      f[k][i] = {2 * x, -x, 1, 0};
+    }
+  }
+  for (int c = 0; c < chunks; ++c) {
+    const AdvanceNodes<float, Step> a{u[0].data(), v[0].data(), f[0].data(), step},
+        b{u[1].data(), v[1].data(), f[1].data(), step};
+    AdvanceNodesMonitored<float, Step>{a, energies[0].data(), count, 5, 1e-3, false}(c);
+    AdvanceNodesDamped<float, Step>{b, energies[1].data(), count, 5, 1e-3}(c);
+  }
+  for (std::size_t c = 0; c < chunks; ++c)
+    EXPECT_NEAR(energies[1][c].damping, energies[0][c].damping, 1e-6 * energies[0][c].damping);
+  for (std::size_t n = 0; n < count; ++n) {
+    EXPECT_EQ(u[0][n].x, u[1][n].x);
+    EXPECT_EQ(v[0][n].y, v[1][n].y);
+    EXPECT_EQ(f[1][n].z, 0);
+  }
+}
 
 }  // namespace
 }  // namespace glisson
