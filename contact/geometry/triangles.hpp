@@ -1,0 +1,37 @@
+// A triangle surface as contact sees it: quadrilaterals split, edges found, neighbours known.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <glisson/core/mesh/mesh.hpp>
+
+namespace glisson::contact {
+
+using Triangle = std::array<int, 3>;
+
+/// Quadrilaterals become two triangles along their shorter diagonal at rest; order and orientation stay.
+std::vector<Triangle> split_facets(std::span<const Facet> facets, std::span<const Vec3<double>> X);
+
+/// Triangle across edge k (from corner k to corner k + 1) of each triangle, -1 where there is none. An edge
+/// with three or more owners joins none of them.  [triangle_count]
+std::vector<std::array<int, 3>> neighbours_of(std::span<const Triangle> triangles);
+
+/// Each edge once, lower node first, sorted.
+std::vector<std::array<int, 2>> edges_of(std::span<const Triangle> triangles);
+
+/// Vertex normals: the mean of the unit normals of the facets around a vertex, weighted by their angle there
+/// (Thuermer & Wuethrich 1998). Johnsen 2016, eq. 5.11, weights by area as well; without, the result does not
+/// depend on how a flat part is divided, and its sign tells inside from outside (Baerentzen & Aanaes 2005).
+/// The zero vector where no triangle with an area touches the vertex.  [x.size()]
+std::vector<Vec3<double>> vertex_normals(std::span<const Triangle> triangles,
+                                         std::span<const Vec3<double>> x);
+
+/// Smallest and largest height over an edge (twice the area per longest edge) [m]; both 0 without triangles.
+struct TriangleSizes {
+  double smallest = 0, largest = 0;
+};
+TriangleSizes triangle_sizes(std::span<const Triangle> triangles, std::span<const Vec3<double>> x);
+
+}  // namespace glisson::contact
