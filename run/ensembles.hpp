@@ -1,0 +1,21 @@
+// The two kinds of ensemble, each in a file of its own.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glisson/core/ensemble/any_ensemble.hpp>
+
+namespace glisson::detail {
+
+/// Lanes are members: single precision on the CPU.
+std::unique_ptr<AnyEnsemble> lane_ensemble(std::vector<Model> members, int threads,
+                                           const std::string& instruction_set);
+
+using MakeAlone = std::function<std::unique_ptr<AnySimulation>(const Model&)>;
+/// Every member is a simulation of its own; they share nothing, so that `threads` of them run side by side.
+std::unique_ptr<AnyEnsemble> plain_ensemble(std::vector<Model> members, int threads, MakeAlone make);
+
+}  // namespace glisson::detail
