@@ -11,6 +11,7 @@
 
 #include <glisson/app/box_case.hpp>
 #include <glisson/app/commands.hpp>
+#include <glisson/app/ensemble_bench.hpp>
 #include <glisson/core/base/error.hpp>
 #include <glisson/cpu/bandwidth.hpp>
 #include <glisson/models/format/suggest.hpp>
@@ -114,6 +115,10 @@ nlohmann::ordered_json result_of(Entry& entry, double bandwidth) {
 }  // namespace
 
 int bench(const BenchArguments& arguments) {
+  if (!arguments.members.empty()) {
+    bench_ensembles(arguments);
+    return exit_done;
+  }
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const auto list = chosen(arguments.cases);
   const double bandwidth = triad_bandwidth(arguments.threads);

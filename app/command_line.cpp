@@ -43,6 +43,8 @@ void add_run(CLI::App& app, Action& action) {
   auto* file = command->add_option("file,-x,--xml", a->file, "simulation file")->required();
   (void)file;
   command->add_option("-o,--output", a->directory, "directory for the results (default results/NAME)");
+  command->add_option("--ensemble", a->table,
+                      "table (.csv): one member per row, one value of the file per column");
   add_device(*command, a->simulation);
   command->add_flag("--resume", a->resume, "go on from the checkpoint in the output directory");
   command->add_flag("--lenient", a->lenient, "unknown names in the file are warnings");
@@ -116,6 +118,11 @@ void add_bench(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->check(CLI::Range(1, 100'000'000));
   command->add_option("--cases", a->cases, "variants, separated by commas (default: all)")->delimiter(',');
+  command
+      ->add_option("--ensembles", a->members,
+                   "instead: ensembles of so many members against single runs, separated by commas")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 100'000));
   command->add_option("--threads", a->threads, "worker threads; 0: one per core")->check(CLI::Range(0, 1024));
   command->add_option("--seconds", a->seconds, "for each variant and size")->check(CLI::Range(0.01, 600.0));
   command->add_option("--device", a->device, "cpu, serial or cuda[:N]");

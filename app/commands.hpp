@@ -1,6 +1,7 @@
 // What each subcommand is asked to do, and the function that does it; the result is the exit code.
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ constexpr int exit_done = 0, exit_interrupted = 130;
 struct RunArguments {
   std::string file, directory;  ///< directory empty: results/NAME
   SimulationOptions simulation;
+  std::string table;  ///< of an ensemble's parameters; empty: a single run
   bool resume = false, lenient = false, quiet = false, execution_time = false;
   LogLevel log_level = LogLevel::info;
   double checkpoint_minutes = 10;
@@ -23,6 +25,8 @@ struct RunArguments {
   std::optional<std::string> text_prefix;
 };
 int run(const RunArguments& arguments);
+/// The ensemble of arguments.table; `stop` ends it.
+int run_table(const RunArguments& arguments, const std::atomic<bool>& stop);
 
 struct CheckArguments {
   std::string file;
@@ -55,6 +59,7 @@ int devices();
 struct BenchArguments {
   std::vector<int> sizes{10'000, 100'000};  ///< elements
   std::vector<std::string> cases;           ///< names of the variants; empty: all
+  std::vector<int> members;                 ///< of ensembles to compare with single runs; empty: none
   int threads = 0;
   double seconds = 1;  ///< for each variant and size
   std::string json;    ///< file to write; empty: none

@@ -78,6 +78,8 @@ void print_stopped(const RunSummary& summary, const RunnerOptions& options) {
 int run(const RunArguments& arguments) {
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
+  if (!arguments.table.empty())
+    return in_file(arguments.file, [&] { return run_table(arguments, stop_wanted); });
   Console console(arguments.log_level, arguments.quiet);
   const CheckedModel input = read_and_validate(arguments.file, arguments.lenient);
   print_header(console, input);

@@ -239,25 +239,64 @@ GLISSON_FLATTEN void hourglass_energies(const LaneBlock& block, const LanePass& 
   }
 }
 
+/// W/4 rows side by side.
 template <int W>
-void gather(const float* const* rows, int node_count, float* u) {
-  for (int n = 0; n < node_count; ++n)
-    for (int lane = 0; lane < W; ++lane) {
-      const float* row = rows[lane] + 4 * static_cast<std::size_t>(n);
-      float* to = u + static_cast<std::size_t>(n) * 3 * W + lane;
-      to[0] = row[0], to[W] = row[1], to[2 * W] = row[2];
-    }
+GLISSON_INLINE Pack<W> join_rows(const float* const* rows, std::size_t place) {
+  const auto row = [&](int k) { return patches::load_row(rows[4 * k] + place); };
+  if constexpr (W == 4) {
+    return Pack<4>(row(0));
+  } else if constexpr (W == 8) {
+    return Pack<8>(__builtin_shufflevector(row(0), row(1), 0, 1, 2, 3, 4, 5, 6, 7));
+  } else {
+    const auto low = __builtin_shufflevector(row(0), row(1), 0, 1, 2, 3, 4, 5, 6, 7),
+               high = __builtin_shufflevector(row(2), row(3), 0, 1, 2, 3, 4, 5, 6, 7);
+    return Pack<16>(__builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+  }
+}
+
+/// From rows of W members, as load_nodes of cpu/simd/nodes.hpp.
+template <int W>
+GLISSON_FLATTEN void gather(const float* const* rows, int node_count, float* u) {
+  using namespace patches;
+  const auto lanes = std::make_index_sequence<W>();
+  for (int n = 0; n < node_count; ++n, u += 3 * W) {
+    const std::size_t place = 4 * static_cast<std::size_t>(n);
+    const Pack<W> r0 = join_rows<W>(rows, place), r1 = join_rows<W>(rows + 1, place),
+                  r2 = join_rows<W>(rows + 2, place), r3 = join_rows<W>(rows + 3, place);
+    const Pack<W> xy01 = interleave_low(r0, r1, lanes), zw01 = interleave_high(r0, r1, lanes),
+                  xy23 = interleave_low(r2, r3, lanes), zw23 = interleave_high(r2, r3, lanes);
+    shuffle_lanes<0, 1, 0, 1>(xy01, xy23).store(u);
+    shuffle_lanes<2, 3, 2, 3>(xy01, xy23).store(u + W);
+    shuffle_lanes<0, 1, 0, 1>(zw01, zw23).store(u + 2 * W);
+  }
+}
+
+/// Adds W/4 rows that lie side by side to the lanes 0, 4, 8, ... behind `rows`.
+template <int W>
+GLISSON_INLINE void add_rows(Pack<W> values, float* const* rows, std::size_t place) {
+  alignas(64) float side_by_side[W];
+  values.store(side_by_side);
+  for (int k = 0; k < W / 4; ++k) {
+    if (!rows[4 * k]) continue;
+    float* row = rows[4 * k] + place;
+    patches::store_row(row, patches::load_row(row) + patches::load_row(side_by_side + 4 * k));
+  }
 }
 
 template <int W>
-void scatter(const float* f, int node_count, float* const* rows) {
-  for (int n = 0; n < node_count; ++n)
-    for (int lane = 0; lane < W; ++lane) {
-      if (!rows[lane]) continue;
-      float* row = rows[lane] + 4 * static_cast<std::size_t>(n);
-      const float* from = f + static_cast<std::size_t>(n) * 3 * W + lane;
-      row[0] += from[0], row[1] += from[W], row[2] += from[2 * W];
-    }
+GLISSON_FLATTEN void scatter(const float* f, int node_count, float* const* rows) {
+  using namespace patches;
+  const auto lanes = std::make_index_sequence<W>();
+  for (int n = 0; n < node_count; ++n, f += 3 * W) {
+    const std::size_t place = 4 * static_cast<std::size_t>(n);
+    const Pack<W> x = Pack<W>::load(f), y = Pack<W>::load(f + W), z = Pack<W>::load(f + 2 * W), zero(0),
+                  xy01 = interleave_low(x, y, lanes), xy23 = interleave_high(x, y, lanes),
+                  z01 = interleave_low(z, zero, lanes), z23 = interleave_high(z, zero, lanes);
+    add_rows<W>(shuffle_lanes<0, 1, 0, 1>(xy01, z01), rows, place);
+    add_rows<W>(shuffle_lanes<2, 3, 2, 3>(xy01, z01), rows + 1, place);
+    add_rows<W>(shuffle_lanes<0, 1, 0, 1>(xy23, z23), rows + 2, place);
+    add_rows<W>(shuffle_lanes<2, 3, 2, 3>(xy23, z23), rows + 3, place);
+  }
 }
 
 template <int W, template <class> class Law>

@@ -79,6 +79,15 @@ std::vector<double> Reader::numbers_in_file(const XmlElement& element, const std
 Model parse_model(std::string_view xml, const std::string& file_name, const ReadOptions& options) {
   detail::XmlDocument document;
   detail::parse_xml(xml, file_name, document);
+  return detail::model_of(document, file_name, options);
+}
+
+void detail::read_document(const std::string& path, XmlDocument& document) {
+  parse_xml(contents_of(path, {}), path, document);
+}
+
+Model detail::model_of(const XmlDocument& document, const std::string& file_name,
+                       const ReadOptions& options) {
   detail::Reader reader(options, file_name);
   const auto& root = document.root;
   detail::check_names(reader, root);

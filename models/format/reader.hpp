@@ -38,6 +38,10 @@ class Reader {
   std::string file_;
 };
 
+/// The two halves of read_model.
+void read_document(const std::string& path, XmlDocument& document);
+Model model_of(const XmlDocument& document, const std::string& file_name, const ReadOptions& options);
+
 /// A model in work: a whole file or one sub-model, in its own numbering.
 struct Part {
   Model model;

@@ -32,7 +32,7 @@ constexpr std::array rules{
     ElementRule{"MeshNodes", "NumNodes DOF:3", "", true},
     ElementRule{"MeshElements", "NumEls Type", "", true},
     ElementRule{"MeshFile", "Type", "Translation=Value Rotation=Value ScaleFactor=Value", true},
-    ElementRule{"ElementSet", "Size Label Formulation:T4,T4ANP,H8,H8FixedHourglass,H8Full",
+    ElementRule{"ElementSet", "Name Size Label Formulation:T4,T4ANP,H8,H8FixedHourglass,H8Full",
                 "Material=Material", true},
     ElementRule{
         "Material", "Type:LE,NH,AB,PY,TI,OG,NHV,TIV",
@@ -44,7 +44,7 @@ constexpr std::array rules{
     ElementRule{
         "Constraint",
         "Type:Fix,Disp,Force,Gravity,Pressure,Traction,Spring,SlidingPlane,Symmetry,InitialVelocity "
-        "DOF:0,1,2,all LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE NumNodes "
+        "Name DOF:0,1,2,all LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE NumNodes "
         "SpecType:NODES,NORMAL,BOX,SPHERE,HALFSPACE,LABEL,SURFACE,DISTANCE,SELECT NumFaces FaceType:Tri,Quad "
         "StartTime EndTime Release:0,1 TargetLoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE",
         GLISSON_LEAVES

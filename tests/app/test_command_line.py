@@ -242,5 +242,38 @@ class Interruption(InFolder):
         self.assertEqual(json.loads((out / "summary.json").read_text())["status"], "failed")
 
 
+class Ensembles(InFolder):
+    def test_table(self):
+        file = self.write("box.xml", box(3, total=0.05))
+        table = self.write("table.csv", "ElasticParams#1,Constraint[2]/Magnitudes\n"
+                           + "".join(f"{1500 + 100 * k},{-0.002 - 0.0001 * k}\n" for k in range(5)))
+        done = run("run", "--ensemble", table, file, "-o", self.folder / "out")
+        self.expect(done, 0, "5 members of 27 elements", "written:")
+        rows = (self.folder / "out/ensemble.csv").read_text().splitlines()
+        self.assertEqual(len(rows), 6)
+        self.assertTrue(rows[0].startswith('member,"ElasticParams#1","Constraint[2]/Magnitudes",status,steps'))
+        for k, row in enumerate(rows[1:]):
+            cells = row.split(",")
+            self.assertEqual(cells[0:4], [str(k), str(1500 + 100 * k), f"{-0.002 - 0.0001 * k}", "done"])
+            self.assertGreater(float(cells[7]), 0.0019 + 0.0001 * k)
+            self.assertLess(float(cells[7]), 0.003 + 0.0001 * k)
+            self.assertTrue((self.folder / f"out/member-{k}.vtu").exists())
+
+    def test_a_failed_member_is_named(self):
+        file = self.write("box.xml", box(3, total=2, system="<TimeStep> 1e-3 </TimeStep>"))
+        table = self.write("table.csv", "TimeStep\n1e-3\n2e-2\n2e-3\n")
+        done = run("run", "--ensemble", table, file, "-o", self.folder / "out")
+        self.expect(done, 1, "error: member 1: ")
+        rows = (self.folder / "out/ensemble.csv").read_text().splitlines()
+        self.assertEqual([row.split(",")[2] for row in rows[1:]], ["done", "failed", "done"])
+
+    def test_refused(self):
+        file = self.write("box.xml", box(2))
+        table = self.write("table.csv", "Elastic#1\n1\n")
+        self.expect(run("run", "--ensemble", table, file), 3, "table.csv:1", "names nothing")
+        self.expect(run("run", "--ensemble", "no.csv", file), 3, "no.csv")
+        self.expect(run("run", "--ensemble", table, file, "--resume"), 2, "--resume")
+
+
 if __name__ == "__main__":
     unittest.main()

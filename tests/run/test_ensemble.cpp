@@ -183,6 +183,24 @@ TEST(Ensemble, MembersWithOtherLawsGetGroupsOfTheirOwn) {
   }
 }
 
+TEST(Ensemble, LargeMeshesRunOneAfterAnotherOnAllThreads) {
+  std::vector<Model> models;
+  for (int k = 0; k < 2; ++k) {
+    models.push_back(box_model({20, 20, 20}, {0.1, 0.1, 0.1}, Formulation::h8, {"NH", {1000, 5000}}));
+    models.back().gravity = {{{}, {0, 0, -9.81 * (1 + k)}, step_curve(1)}};
+    models.back().fixed = {{face(models.back().mesh, 2, 0)}};
+    models.back().time.total = 1;
+  }
+  const auto ensemble = make_ensemble(models);
+  EXPECT_NE(ensemble->device().find("single runs"), std::string::npos) << ensemble->device();
+  ensemble->step(2);
+  for (int k = 0; k < 2; ++k) {
+    const auto alone = simulate(models[static_cast<std::size_t>(k)], threads_float);
+    alone->step(2);
+    EXPECT_TRUE(same_bits(ensemble->member(k), *alone));
+  }
+}
+
 TEST(Ensemble, RefusesWhatItCannotDo) {
   EXPECT_THROW(make_ensemble({}), Error);
   auto models = member_models(variants[0], 2);
