@@ -110,12 +110,12 @@ TEST(FormatEquivalence, TextBeforeAndAfterChildrenIsAllRead) {
 TEST(FormatLenient, UnknownNamesBecomeWarnings) {
   std::vector<std::string> warnings;
   const auto xml = replaced(replaced(base_xml, "<DampingCoeff>", "<Colour>red</Colour><DampingCoeff>"),
-                            "Size=\"all\"", "Size=\"all\" Name=\"liver\"");
+                            "Size=\"all\"", "Size=\"all\" Colour=\"liver\"");
   EXPECT_THROW(parsed(xml), Error);
   const Model model = parse_model(xml, "test.xml", {.lenient = true, .warnings = &warnings});
   expect_same(model, parsed(base_xml));
   ASSERT_EQ(warnings.size(), 2U);
-  EXPECT_NE(warnings[0].find("test.xml:10: <ElementSet>: unknown attribute Name"), std::string::npos)
+  EXPECT_NE(warnings[0].find("test.xml:10: <ElementSet>: unknown attribute Colour"), std::string::npos)
       << warnings[0];
   EXPECT_NE(warnings[1].find("<Colour>"), std::string::npos) << warnings[1];
 }
