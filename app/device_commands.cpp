@@ -8,6 +8,7 @@
 #include <glisson/app/box_case.hpp>
 #include <glisson/app/commands.hpp>
 #include <glisson/core/base/error.hpp>
+#include <glisson/run/gpus.hpp>
 #include <glisson/version.hpp>
 
 namespace glisson::app {
@@ -22,11 +23,11 @@ struct Backend {
 // Double differs from the reference only in the order of sums. Float: rounding of u (6e-8) grows over a few
 // hundred steps and by the condition of the nearly incompressible cases; doc/precision.md has what was
 // measured.
-constexpr Backend backends[] = {{"serial", Precision::single_precision, 2e-5},
-                                {"cpu", Precision::double_precision, 1e-9},
-                                {"cpu", Precision::single_precision, 2e-5},
-                                {"emulated", Precision::double_precision, 1e-9},
-                                {"emulated", Precision::single_precision, 2e-5}};
+constexpr Backend backends[] = {
+    {"serial", Precision::single_precision, 2e-5},   {"cpu", Precision::double_precision, 1e-9},
+    {"cpu", Precision::single_precision, 2e-5},      {"emulated", Precision::double_precision, 1e-9},
+    {"emulated", Precision::single_precision, 2e-5}, {"cuda", Precision::double_precision, 1e-9},
+    {"cuda", Precision::single_precision, 2e-5}};
 
 const std::vector<BoxCase>& cases() {
   static const std::vector<BoxCase> list{
@@ -77,7 +78,9 @@ int compare_backends(const BoxCase& c) {
   const auto reference = displacement_of(model, "serial", Precision::double_precision, 1);
   int failures = 0;
   fmt::print("{:<14}", c.name);
+  const bool gpu = !find_gpus().empty();
   for (const auto& backend : backends) {
+    if (!gpu && std::string_view(backend.device) == "cuda") continue;
     const auto u = displacement_of(model, backend.device, backend.precision, 2);
     const double d = difference(u, reference);
     const bool good = d <= backend.tolerance;
@@ -93,6 +96,15 @@ int compare_backends(const BoxCase& c) {
   return failures + !same;
 }
 
+void print_gpus() {
+  const auto gpus = find_gpus();
+  if (gpus.empty())
+    fmt::print("cuda        {}\n", built_with_cuda() ? "no device or no driver here" : "not in this build");
+  for (std::size_t g = 0; g < gpus.size(); ++g)
+    fmt::print("cuda:{}      {}, compute capability {}, {} MiB\n", g, gpus[g].name, gpus[g].capability,
+               gpus[g].memory_bytes >> 20);
+}
+
 }  // namespace
 
 int devices() {
@@ -101,7 +113,7 @@ int devices() {
   const auto simulation = make_simulation(box_model({.name = "box"}, 48, 0.01), {});
   fmt::print("            a run with --device auto uses: {}\n", simulation->device());
   fmt::print("emulated    behaves like a GPU, for tests\n");
-  fmt::print("cuda        not in this build\n");
+  print_gpus();
   return exit_done;
 }
 
@@ -109,6 +121,7 @@ int selftest() {
   fmt::print("Glisson {}: largest difference to serial double, over the largest displacement\n", version);
   int failures = 0;
   for (const auto& c : cases()) failures += compare_backends(c);
+  if (find_gpus().empty()) fmt::print("cuda was not run: {}\n", automatic_device_text());
   fmt::print("{} cases, {} failures\n", cases().size(), failures);
   return failures == 0 ? exit_done : static_cast<int>(ErrorKind::run);
 }

@@ -19,9 +19,10 @@ function(glisson_library name)
 endfunction()
 
 function(glisson_warnings target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wpedantic -Wno-missing-field-initializers
-    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>  # wrong in g++ 12 (bug 105651)
-    $<$<BOOL:${GLISSON_WERROR}>:-Werror>)
+  target_compile_options(${target} PRIVATE
+    "$<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wshadow;-Wpedantic;-Wno-missing-field-initializers>"
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>  # wrong in g++ 12 (bug 105651)
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${GLISSON_WERROR}>>:-Werror>)
   if(GLISSON_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${GLISSON_SANITIZE} -fno-omit-frame-pointer
       $<$<CXX_COMPILER_ID:GNU>:-fno-sanitize-recover=all>)

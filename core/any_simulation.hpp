@@ -44,6 +44,7 @@ struct StepReport {
   std::string
       ending;  ///< quasi-static: "converged", "stalled: ...", "not converged: ..."; empty before the end
   std::int64_t energies_every = 1;  ///< steps between two energy accounts
+  double user_seconds = 0;          ///< in providers of users, with carrying the state to them and back [s]
 };
 
 /// Every array is in the user's node and element numbering.

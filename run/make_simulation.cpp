@@ -4,6 +4,8 @@
 #include <thread>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/cuda/device.hpp>
+#include <glisson/run/gpus.hpp>
 #include <glisson/run/simulate.hpp>
 
 namespace glisson {
@@ -16,15 +18,17 @@ int thread_count(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-[[noreturn]] void refuse_device(const std::string& device) {
-  if (device.rfind("cuda", 0) == 0)
-    throw Error(ErrorKind::device, "The device '" + device +
-                                       "' is not available: this Glisson was built without CUDA. "
-                                       "Use --device cpu, or --device auto to let it choose.");
-  throw Error(ErrorKind::usage, "There is no device '" + device + "'. Choose auto, cpu, serial or cuda[:N].");
+std::unique_ptr<AnySimulation> simulate_cuda(const Model& model, const std::string& device, bool in_double) {
+  const int number = cuda::device_number(device);
+  return in_double ? detail::simulate_cuda_double(model, number) : detail::simulate_cuda_float(model, number);
 }
 
 }  // namespace
+
+std::string automatic_device_text() {
+  if (!built_with_cuda()) return "auto chose the CPU: this build has no CUDA";
+  return find_gpus().empty() ? "auto chose the CPU: no CUDA device here" : "auto chose the GPU";
+}
 
 std::unique_ptr<AnySimulation> make_simulation(const Model& model, const SimulationOptions& options) {
   const bool in_double = options.precision == Precision::double_precision;
@@ -33,7 +37,9 @@ std::unique_ptr<AnySimulation> make_simulation(const Model& model, const Simulat
     return in_double ? detail::simulate_serial_double(model) : detail::simulate_serial_float(model);
   if (device == "emulated")
     return in_double ? detail::simulate_emulated_double(model) : detail::simulate_emulated_float(model);
-  if (device != "cpu" && device != "auto") refuse_device(device);
+  const bool gpu_chosen = device == "auto" && !find_gpus().empty();
+  if (gpu_chosen) return simulate_cuda(model, "cuda:0", in_double);
+  if (device != "cpu" && device != "auto") return simulate_cuda(model, device, in_double);
   const int threads = thread_count(options.threads);
   if (in_double) return detail::simulate_threads_double(model, threads);
   return detail::simulate_threads_float(model, threads, options.instruction_set);

@@ -21,4 +21,7 @@ struct SimulationOptions {
 /// outlive the result.
 std::unique_ptr<AnySimulation> make_simulation(const Model& model, const SimulationOptions& options = {});
 
+/// What `auto` chooses on this machine and why: "auto chose the CPU: no CUDA device here".
+std::string automatic_device_text();
+
 }  // namespace glisson

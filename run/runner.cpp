@@ -124,6 +124,7 @@ void Runner::prepare() {
     hash_ = model_hash(model_);
   }
   summary_.device = simulation_->device();
+  if (options_.simulation.device == "auto") summary_.device_choice = automatic_device_text();
   if (options_.resume) {
     const auto extras = read_checkpoint(options_.directory / "checkpoint.glisson", *simulation_, hash_);
     summary_.timings.stepping = stepping_before_ = extras.stepping_seconds;
@@ -133,7 +134,8 @@ void Runner::prepare() {
   }
   first_step_ = simulation_->step_count();
   const StepReport report = simulation_->report();
-  log(LogLevel::info, "device " + summary_.device);
+  log(LogLevel::info, "device " + summary_.device +
+                          (summary_.device_choice.empty() ? "" : " (" + summary_.device_choice + ")"));
   log(LogLevel::info,
       "time step " + text(report.dt) + " s (stable " + text(report.stable_step) + " s, limited by " +
           report.limited_by + ")" +

@@ -13,6 +13,9 @@ std::unique_ptr<AnySimulation> simulate_serial_float(const Model& model);
 std::unique_ptr<AnySimulation> simulate_threads_double(const Model& model, int threads);
 std::unique_ptr<AnySimulation> simulate_threads_float(const Model& model, int threads,
                                                       const std::string& instruction_set);
+/// Only in builds with CUDA.
+std::unique_ptr<AnySimulation> simulate_cuda_double(const Model& model, int number);
+std::unique_ptr<AnySimulation> simulate_cuda_float(const Model& model, int number);
 std::unique_ptr<AnySimulation> simulate_emulated_double(const Model& model);
 std::unique_ptr<AnySimulation> simulate_emulated_float(const Model& model);
 

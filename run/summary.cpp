@@ -35,13 +35,15 @@ Json timings_of(const RunSummary& s) {
   const RunTimings& t = s.timings;
   const double steps = s.steps > 0 ? static_cast<double>(s.steps) : 1;
   const double elements = s.element_count > 0 ? s.element_count : 1;
-  return {{"read_s", t.read},
-          {"set_up_s", t.set_up},
-          {"stepping_s", t.stepping},
-          {"output_s", t.output},
-          {"total_s", t.total()},
-          {"ms_per_step", 1e3 * t.stepping / steps},
-          {"ns_per_element_and_step", 1e9 * t.stepping / steps / elements}};
+  Json timings{{"read_s", t.read},
+               {"set_up_s", t.set_up},
+               {"stepping_s", t.stepping},
+               {"output_s", t.output},
+               {"total_s", t.total()},
+               {"ms_per_step", 1e3 * t.stepping / steps},
+               {"ns_per_element_and_step", 1e9 * t.stepping / steps / elements}};
+  if (s.report.user_seconds > 0) timings["user_providers_s"] = s.report.user_seconds;
+  return timings;
 }
 
 Json as_json(const RunSummary& s) {
@@ -50,6 +52,7 @@ Json as_json(const RunSummary& s) {
   j["model"] = {
       {"name", s.model}, {"units", s.units}, {"nodes", s.node_count}, {"elements", s.element_count}};
   j["device"] = s.device;
+  if (!s.device_choice.empty()) j["device_choice"] = s.device_choice;
   j["time_s"] = s.time;
   j["total_time_s"] = s.total_time;
   j["steps"] = step_of(s);

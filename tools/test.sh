@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # All tests: release build with every test and check, examples against the installed package, the same tests under
 # AddressSanitizer with UndefinedBehaviorSanitizer, those with threads under ThreadSanitizer, short fuzz runs.
-# usage: tools/test.sh [--only release|install|asan|tsan|fuzz]... [--fuzz-seconds N] [--no-install]
+# usage: tools/test.sh [--only release|install|cuda|asan|tsan|fuzz]... [--fuzz-seconds N] [--no-install]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/install_packages.sh
@@ -125,6 +125,19 @@ stage_tsan() {
   run_ctest "thread sanitizer" build-tsan --tests-regex 'Team|Threads|threads|Runner|SameBits' --label-exclude slow
 }
 
+# Every kernel compiled for one architecture: calls from device to host code and spills of the kernels in float are errors.
+stage_cuda() {
+  if ! command -v nvcc >/dev/null && [ ! -x /usr/local/cuda/bin/nvcc ]; then
+    echo "   skipped: there is no nvcc here"
+    skipped=$((skipped + 1))
+    return 0
+  fi
+  build cuda glisson test_cuda || return 0
+  attempt "errors of the CUDA runtime" build-cuda/tests/test_cuda
+  attempt "glisson built with CUDA: exit codes and messages" python3 tests/app/test_command_line.py \
+    build-cuda/app/glisson Usage
+}
+
 fuzz_one() {
   local name=$1 corpus=tests/fuzz/corpus/${1#fuzz_} work
   work=build-fuzz/corpus/$name
@@ -149,7 +162,7 @@ if [ "$install" = yes ]; then
   echo "== packages"
   install_packages "300 MB" "${core_packages[@]}" libgtest-dev python3 clang libclang-rt-dev ccache
 fi
-for stage in release install asan tsan fuzz; do
+for stage in release install cuda asan tsan fuzz; do
   if wanted "$stage"; then
     echo "== $stage"
     started=$SECONDS

@@ -104,9 +104,11 @@ void Simulation<B, R>::fail(const Energies* unbalanced, double share) {
 
 template <Backend B, class R>
 StepReport Simulation<B, R>::report() const {
+  double user_seconds = 0;
+  for (const auto& user : users_) user_seconds += user->seconds();
   return {plan_.dt(),        stable_step_,      limited_by_,
           parts_.added_mass, plan_.last_step(), relaxation_ ? relaxation_->ending(step_) : std::string(),
-          monitor_every_};
+          monitor_every_,    user_seconds};
 }
 
 template <Backend B, class R>

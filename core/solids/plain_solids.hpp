@@ -27,11 +27,13 @@ class PlainSolids final : public SolidForces<R> {
   std::size_t memory_bytes() const override { return bytes_; }
 
  private:
+  using Dispatch = SolidDispatch<B, R>;
+  using Function = typename Dispatch::Function;
   /// One block with its arrays.
   struct Block {
     HostBlock<R> host;  ///< small parts only; arrays are released after the upload
     BlockView<R> view;
-    const SolidKernels<R>* kernels = nullptr;
+    const KernelSet<Function>* kernels = nullptr;
     Buffer<std::byte> constants;
     Buffer<int> nodes;
     Buffer<R> parameters, history;
@@ -48,8 +50,8 @@ class PlainSolids final : public SolidForces<R> {
   }
   void add_block(HostBlock<R> host, int first_slot, int first_element);
   void set_terms(Block& block, double dt);
-  void run(ElementFunction<R> function, const Block& block, const EvaluationView<R>& now) {
-    backend_.for_each(block.view.element_count, CallElement<R>{function, block.view, now});
+  void run(Function function, const Block& block, const EvaluationView<R>& now) {
+    Dispatch::run(backend_, function, block.view, now);
   }
   void average_pressure(const EvaluationView<R>& now);
   double sum_energy();
@@ -104,7 +106,7 @@ PlainSolids<B, R>::PlainSolids(B& backend, const Model& model, const Numbering& 
 template <Backend B, class R>
 void PlainSolids<B, R>::add_block(HostBlock<R> host, int first_slot, int first_element) {
   Block block;
-  block.kernels = find_solid_kernels<R>(host.law, host.formulation, host.viscous());
+  block.kernels = Dispatch::find(host.law, host.formulation, host.viscous());
   block.constants = upload(host.constants);
   block.nodes = upload(host.nodes);
   block.parameters = upload(host.parameters);

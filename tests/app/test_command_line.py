@@ -67,8 +67,11 @@ class Usage(InFolder):
 
     def test_no_such_device(self):
         file = self.write("box.xml", box(1))
-        self.expect(run("run", file, "--device", "cuda:7"), 4, "without CUDA")
-        self.expect(run("run", "-x", file, "-sport"), 4, "without CUDA")
+        self.expect(run("run", file, "--device", "cuda:77"), 4, "cuda:77")
+        self.expect(run("run", file, "--device", "cuda:x"), 2, "cuda:x")
+        if "cuda:0" not in run("devices").stdout:
+            self.expect(run("run", "-x", file, "-sport"), 4, "--device cpu")
+            self.expect(run("run", file, "-o", self.folder / "out"), 0, "auto chose the CPU")
 
 
 class Input(InFolder):

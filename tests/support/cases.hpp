@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/run/gpus.hpp>
 #include <glisson/run/make_simulation.hpp>
 
 namespace glisson::test {
@@ -41,9 +44,25 @@ inline const Case all_cases[] = {serial_double,
                                  {"SerialFloat", "serial", Precision::single_precision},
                                  {"ThreadsDouble", "cpu", Precision::double_precision},
                                  threads_float,
-                                 {"EmulatedFloat", "emulated", Precision::single_precision}};
+                                 {"EmulatedFloat", "emulated", Precision::single_precision},
+                                 {"CudaDouble", "cuda", Precision::double_precision},
+                                 {"CudaFloat", "cuda", Precision::single_precision}};
 
-class Matrix : public testing::TestWithParam<Case> {};
+/// Rows of the GPU are skipped where there is none. Where there is a driver, or GLISSON_GPU=required is in
+/// the environment, a device that cannot be used is a failure.
+inline bool gpu_expected() {
+  const char* wish = std::getenv("GLISSON_GPU");
+  if (wish && std::string(wish) == "required") return true;
+  return built_with_cuda() && std::filesystem::exists("/proc/driver/nvidia/version");
+}
+
+class Matrix : public testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    if (std::string(GetParam().device) == "cuda" && !gpu_expected())
+      GTEST_SKIP() << "not run: no GPU here, or a build without CUDA";
+  }
+};
 
 inline std::string case_name(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 

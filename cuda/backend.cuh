@@ -1,0 +1,73 @@
+// The backend for an NVIDIA GPU. Included only by .cu files.
+#pragma once
+
+#include <type_traits>
+
+#include <glisson/core/backend.hpp>
+#include <glisson/cuda/device.hpp>
+
+namespace glisson {
+namespace cuda {
+
+constexpr int threads_per_block = 128;
+
+template <class F>
+__global__ void __launch_bounds__(threads_per_block) for_each_kernel(int n, F body) {
+  const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
+  if (i < n) body(i);
+}
+
+}  // namespace cuda
+
+/// One device, one stream: launches run one after the other, so that each sees what those before it wrote. A
+/// fault inside a kernel is reported by the next copy_out.
+class Cuda {
+ public:
+  static constexpr Space space = Space::device;
+
+  explicit Cuda(int number = 0) : device_(std::make_unique<cuda::Device>(cuda::real_runtime(), number)) {}
+
+  const cuda::DeviceFacts& facts() const { return device_->facts(); }
+
+  /// Zeroed.
+  template <class T>
+  Buffer<T> allocate(std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    auto release = [](void* device, T* memory, std::size_t) {
+      static_cast<cuda::Device*>(device)->release(memory);
+    };
+    return Buffer<T>(static_cast<T*>(device_->allocate(count * sizeof(T))), {release, device_.get(), count});
+  }
+  template <class T>
+  void copy_in(const T* from, T* to, std::size_t count) {
+    device_->copy_in(from, to, count * sizeof(T));
+  }
+  template <class T>
+  void copy_out(const T* from, T* to, std::size_t count) {
+    device_->copy_out(from, to, count * sizeof(T));
+  }
+  template <class F>
+  void for_each(int n, F body) {
+    static_assert(std::is_trivially_copyable_v<F>, "what travels to a device is plain data");
+    if (n <= 0) return;
+    constexpr int threads = cuda::threads_per_block;
+    launch((n - 1) / threads + 1, threads, 0, cuda::for_each_kernel<F>, n, body);
+  }
+  /// Any kernel on the backend's stream.
+  template <class... Parameters, class... Arguments>
+  void launch(int blocks, int threads, std::size_t shared_bytes, void (*kernel)(Parameters...),
+              const Arguments&... arguments) {
+    device_->before_launch();
+    kernel<<<blocks, threads, shared_bytes, static_cast<cudaStream_t>(stream())>>>(arguments...);
+    device_->after_launch();
+  }
+  void* stream() { return device_->stream(); }
+
+ private:
+  std::unique_ptr<cuda::Device>
+      device_;  // on the heap: buffers point to it and must survive a move of the backend
+};
+
+static_assert(Backend<Cuda>);
+
+}  // namespace glisson

@@ -1,0 +1,57 @@
+// One GPU: its memory, one stream, and what each failure of the runtime means to a user. Plain C++.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glisson/cuda/runtime.hpp>
+
+namespace glisson::cuda {
+
+/// The GPUs of this machine; empty without a driver or a device. Never throws for that.
+std::vector<DeviceFacts> find_devices(const Runtime& runtime);
+
+/// "cuda" or "cuda:N" to N. Throws Error(usage) for anything else.
+int device_number(std::string_view name);
+
+/// Every call throws Error(device) that says what failed, why, and what to do. A device that was lost stays
+/// lost: all later calls fail the same way. Usable from any thread, one at a time.
+class Device {
+ public:
+  Device(const Runtime& runtime, int number);
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  const DeviceFacts& facts() const { return facts_; }
+  void* stream() const { return stream_; }
+
+  /// Zeroed; nullptr for 0 bytes.
+  void* allocate(std::size_t bytes);
+  void release(void* memory) noexcept;
+  void copy_in(const void* from, void* to, std::size_t bytes);
+  void copy_out(const void* from, void* to, std::size_t bytes);
+  void wait();
+  /// Around every launch: makes this device the current one of the thread, and checks that the launch went
+  /// out.
+  void before_launch() { select(); }
+  void after_launch() { check(runtime_.launch_status(), "launching a kernel"); }
+
+ private:
+  void select();
+  void check(int code, const char* doing) const {
+    if (code != status::done) fail(code, doing);
+  }
+  [[noreturn]] void fail(int code, const char* doing) const;
+  [[noreturn]] void fail_allocation(std::size_t bytes) const;
+  std::string named() const;
+
+  const Runtime& runtime_;
+  int number_;
+  DeviceFacts facts_;
+  void* stream_ = nullptr;
+};
+
+}  // namespace glisson::cuda

@@ -1,0 +1,45 @@
+// The few calls of the CUDA runtime that the backend needs, behind a table: no CUDA header is needed to use
+// it, and tests put a table of their own in its place, so that every failure can be tried on a machine
+// without a GPU.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace glisson::cuda {
+
+struct DeviceFacts {
+  std::string name;          ///< "NVIDIA H100"
+  int major = 0, minor = 0;  ///< compute capability
+  std::size_t memory = 0;    ///< [bytes]
+};
+
+/// Status codes are those of cudaError_t; 0 is success.
+namespace status {
+constexpr int done = 0, out_of_memory = 2, old_driver = 35, no_device = 100, invalid_device = 101,
+              no_kernel_image = 209, ecc_error = 214, unsupported_ptx = 222, illegal_address = 700,
+              launch_failure = 719;
+}  // namespace status
+
+struct Runtime {
+  int (*device_count)(int* count);
+  int (*describe)(int device, DeviceFacts* facts);
+  int (*select)(int device);
+  int (*check_kernels)();  ///< whether this build holds code for the selected device
+  int (*create_stream)(void** stream);
+  int (*destroy_stream)(void* stream);
+  int (*allocate)(void** memory, std::size_t bytes);
+  int (*release)(void* memory);
+  int (*memory_info)(std::size_t* available, std::size_t* total);
+  int (*clear)(void* memory, std::size_t bytes, void* stream);
+  int (*copy_in)(const void* from, void* to, std::size_t bytes, void* stream);
+  int (*copy_out)(const void* from, void* to, std::size_t bytes, void* stream);
+  int (*wait)(void* stream);
+  int (*launch_status)();  ///< of the last launch, and forgets it
+  const char* (*text)(int code);
+};
+
+/// The real one; only in builds with CUDA.
+const Runtime& real_runtime();
+
+}  // namespace glisson::cuda

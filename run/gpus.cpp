@@ -1,0 +1,45 @@
+#include <glisson/run/gpus.hpp>
+
+#include <glisson/core/base/error.hpp>
+#include <glisson/cuda/device.hpp>
+#include <glisson/run/simulate.hpp>
+
+namespace glisson {
+
+#ifdef GLISSON_WITH_CUDA
+
+bool built_with_cuda() { return true; }
+
+std::vector<Gpu> find_gpus() {
+  std::vector<Gpu> gpus;
+  for (const auto& facts : cuda::find_devices(cuda::real_runtime()))
+    gpus.push_back(
+        {facts.name, std::to_string(facts.major) + "." + std::to_string(facts.minor), facts.memory});
+  return gpus;
+}
+
+#else
+
+bool built_with_cuda() { return false; }
+
+std::vector<Gpu> find_gpus() { return {}; }
+
+namespace detail {
+namespace {
+
+[[noreturn]] void refuse(int number) {
+  throw Error(ErrorKind::device, "The device 'cuda:" + std::to_string(number) +
+                                     "' is not available: this Glisson was built without CUDA. "
+                                     "Use --device cpu, or --device auto to let it choose.");
+}
+
+}  // namespace
+
+std::unique_ptr<AnySimulation> simulate_cuda_double(const Model&, int number) { refuse(number); }
+std::unique_ptr<AnySimulation> simulate_cuda_float(const Model&, int number) { refuse(number); }
+
+}  // namespace detail
+
+#endif
+
+}  // namespace glisson

@@ -1,0 +1,21 @@
+// The GPUs that simulations can run on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace glisson {
+
+struct Gpu {
+  std::string name;        ///< "NVIDIA H100"
+  std::string capability;  ///< "9.0"
+  std::size_t memory_bytes = 0;
+};
+
+/// Whether this build holds the CUDA backend.
+bool built_with_cuda();
+
+/// cuda:0, cuda:1, ... of this machine; empty without a driver, a device, or CUDA in the build.
+std::vector<Gpu> find_gpus();
+
+}  // namespace glisson
