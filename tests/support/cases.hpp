@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <glisson/core/base/error.hpp>
 #include <glisson/run/gpus.hpp>
@@ -40,13 +41,19 @@ inline std::vector<Vec3<double>> final_displacement(const Model& model, const Ca
 constexpr Case serial_double{"SerialDouble", "serial", Precision::double_precision};
 constexpr Case threads_float{"ThreadsFloat", "cpu", Precision::single_precision};
 
+/// Every row that runs on the CPU.
 inline const Case all_cases[] = {serial_double,
                                  {"SerialFloat", "serial", Precision::single_precision},
                                  {"ThreadsDouble", "cpu", Precision::double_precision},
                                  threads_float,
-                                 {"EmulatedFloat", "emulated", Precision::single_precision},
-                                 {"CudaDouble", "cuda", Precision::double_precision},
-                                 {"CudaFloat", "cuda", Precision::single_precision}};
+                                 {"EmulatedFloat", "emulated", Precision::single_precision}};
+
+inline std::vector<Case> cases_with_gpu() {
+  std::vector<Case> cases(std::begin(all_cases), std::end(all_cases));
+  cases.push_back({"CudaDouble", "cuda", Precision::double_precision});
+  cases.push_back({"CudaFloat", "cuda", Precision::single_precision});
+  return cases;
+}
 
 /// Rows of the GPU are skipped where there is none. Where there is a driver, or GLISSON_GPU=required is in
 /// the environment, a device that cannot be used is a failure.
@@ -68,5 +75,6 @@ inline std::string case_name(const testing::TestParamInfo<Case>& info) { return 
 
 }  // namespace glisson::test
 
-#define GLISSON_ALL_CASES(suite) \
-  INSTANTIATE_TEST_SUITE_P(All, suite, testing::ValuesIn(glisson::test::all_cases), glisson::test::case_name)
+#define GLISSON_ALL_CASES(suite)                                                           \
+  INSTANTIATE_TEST_SUITE_P(All, suite, testing::ValuesIn(glisson::test::cases_with_gpu()), \
+                           glisson::test::case_name)
