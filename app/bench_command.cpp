@@ -28,7 +28,12 @@ const std::vector<BoxCase>& variants() {
       {.name = "T4", .formulation = Formulation::t4},
       {.name = "T4ANP", .formulation = Formulation::t4anp},
       {.name = "H8", .formulation = Formulation::h8},
+      {.name = "H8-voxels", .formulation = Formulation::h8, .jitter = 0},
       {.name = "T4-viscous", .formulation = Formulation::t4, .viscous = true},
+      {.name = "T4-Ogden",
+       .formulation = Formulation::t4,
+       .law = "OG",
+       .parameters = {1000, 2, 400, 4, 200, -2, 20000}},
   };
   return list;
 }
@@ -71,7 +76,7 @@ struct Entry {
 /// The triad over arrays far larger than the caches [bytes/s]; the arrays are gone when it returns.
 double triad_bandwidth(int thread_count) {
   Threads threads(thread_count);
-  return measure_bandwidth(threads, std::size_t{64} << 20).triad;
+  return measure_bandwidth(threads, std::size_t{40} << 20).triad;
 }
 
 Entry prepare(const BoxCase& variant, int elements, const BenchArguments& arguments) {

@@ -16,7 +16,7 @@ Model box_model(const BoxCase& c, int elements, double total_time) {
   Model model;
   model.name = "box";
   model.units = "SI";
-  model.mesh = box_mesh({n, n, n}, {side, side, side}, shape, 0.1);
+  model.mesh = box_mesh({n, n, n}, {side, side, side}, shape, c.jitter);
   Section section;
   section.name = c.name;
   section.formulation = c.formulation;

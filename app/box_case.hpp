@@ -14,6 +14,7 @@ struct BoxCase {
   std::string law = "NH";
   std::vector<double> parameters{2000, 20000};
   bool viscous = false;
+  double jitter = 0.1;  ///< of the nodes, in cells; 0: the boxes that meshes of voxels have
 };
 
 /// About `elements` elements in a cube of 10 cm; `steps` steps of an automatic dt fit into the run.

@@ -5,6 +5,7 @@
 #include <glisson/core/materials/isochoric.hpp>
 #include <glisson/core/numbers/remainders.hpp>
 #include <glisson/core/tensor/eigen_symmetric.hpp>
+#include <glisson/core/tensor/traceless_eigenvalues.hpp>
 
 namespace glisson {
 
@@ -56,18 +57,31 @@ struct Ogden {
     return mu * sum / select(alpha * alpha > R(0), alpha, R(1));
   }
 
-  /// M shares its eigenvectors n_k with C: M = sum_k t_k n_k n_k^T, t = dev of sum_i mu_i (l_k^alpha_i - 1).
+  GLISSON_HD R sum_of_terms(const R& L, R (&e)[3]) const {
+    e[0] = exp_m1(R(alpha1 * L)), e[1] = exp_m1(R(alpha2 * L)), e[2] = exp_m1(R(alpha3 * L));
+    return mu1 * e[0] + mu2 * e[1] + mu3 * e[2];
+  }
+
+  /// M = dev t(C) with t(l) = sum_i mu_i (l^alpha_i - 1) is a polynomial of second degree in C = m (I + x),
+  /// found from the values of t at the three eigenvalues of x by divided differences (Newton's form), without
+  /// eigenvectors. The difference of the two values that may be close is a product, mu l^alpha (exp(alpha
+  /// log ratio) - 1), so that nothing cancels where they meet; an error d of their distance changes M by
+  /// d^2 only.
   GLISSON_HD Sym3<R> mandel(const Kinematics<R>& k) const {
-    const EigenSymmetric<R> e = eigen_symmetric(k.e);
-    R L[3];
-    log_stretches(e, k, L);
-    Sym3<R> M{R(0), R(0), R(0), R(0), R(0), R(0)};
-    for (int c = 0; c < 3; ++c) {
-      const R t =
-          mu1 * exp_m1(R(alpha1 * L[c])) + mu2 * exp_m1(R(alpha2 * L[c])) + mu3 * exp_m1(R(alpha3 * L[c]));
-      M = M + t * dyad(Vec3<R>{e.vectors.m[0][c], e.vectors.m[1][c], e.vectors.m[2][c]});
-    }
-    return deviator(M);
+    const Sym3<R> x = R(1) / (R(1) + trace(k.e) * R(1.0 / 3)) * deviator(k.e);
+    const TracelessEigenvalues<R> v = traceless_eigenvalues(x);
+    const R low = v.middle - v.half_gap, gap = v.half_gap + v.half_gap;
+    const R above = log_1p(R(gap / (R(1) + low))), far = log_1p(v.apart) - log_1p(low), sixth = R(1.0 / 6);
+    R at_apart[3], at_low[3], ratio[3];
+    const R t_apart = sum_of_terms(R(sixth * (far + far - above)), at_apart);
+    const R t_low = sum_of_terms(R(R(0) - sixth * (far + above)), at_low);
+    sum_of_terms(R(R(0.5) * above), ratio);
+    const R jump = mu1 * (ratio[0] + at_low[0] * ratio[0]) + mu2 * (ratio[1] + at_low[1] * ratio[1]) +
+                   mu3 * (ratio[2] + at_low[2] * ratio[2]);
+    const R slope = jump / gap, distance = v.apart - v.middle;
+    const R bend = (t_apart - t_low - R(0.5) * jump - slope * distance) /
+                   (distance * distance - v.half_gap * v.half_gap);
+    return R(slope + bend * v.apart) * x + bend * deviator(commuting_product(x, x));
   }
 };
 

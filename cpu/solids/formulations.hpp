@@ -26,11 +26,14 @@ constexpr FormulationTable formulation_kernels() {
   k.forces[1] = tetrahedron_forces<W, AnyLaw<W>, true>;
   k.forces[2] = k.forces[3] = hexahedron_forces<W, AnyLaw<W>, H8>;
   k.forces[4] = hexahedron_forces<W, AnyLaw<W>, H8Full>;
+  k.forces[5] = hexahedron_forces<W, AnyLaw<W>, H8Parallelepiped>;
   k.strain_energy[0] = tetrahedron_energy<W, false>;
   k.strain_energy[1] = tetrahedron_energy<W, true>;
   k.strain_energy[2] = k.strain_energy[3] = hexahedron_energy<W, H8>;
   k.strain_energy[4] = hexahedron_energy<W, H8Full>;
+  k.strain_energy[5] = hexahedron_energy<W, H8Parallelepiped>;
   k.hourglass_energy[2] = k.hourglass_energy[3] = hexahedron_hourglass_energy<W, H8>;
+  k.hourglass_energy[5] = hexahedron_hourglass_energy<W, H8Parallelepiped>;
   k.functions[0] = apply_function<W, rcbrt<W>>;
   k.functions[1] = apply_function<W, square_root<W>>;
   k.functions[2] = apply_function<W, log_1p<W>>;

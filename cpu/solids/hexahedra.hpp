@@ -3,6 +3,7 @@
 
 #include <glisson/core/elements/h8.hpp>
 #include <glisson/core/elements/h8_full.hpp>
+#include <glisson/core/elements/h8_parallelepiped.hpp>
 #include <glisson/cpu/simd/nodes.hpp>
 #include <glisson/cpu/solids/stress.hpp>
 

@@ -10,8 +10,9 @@ namespace glisson::patches {
 using PatchKernel = void (*)(const Patch&, const Pass&);
 using EnergyKernel = double (*)(const Patch&, const Pass&);  ///< [J]
 
-/// Row in the tables: the order of enum class Formulation.
-constexpr int formulation_count = 5;
+/// Row in the tables: enum class Formulation in its order, then special cases that only patches know.
+enum class Kind { t4, t4anp, h8, h8_fixed, h8_full, h8_parallelepiped };
+constexpr int kind_count = 6;
 
 /// Kernels for any law, which they call through Pass::law.
 struct FormulationTable {
@@ -21,9 +22,9 @@ struct FormulationTable {
   PatchKernel sum_forces = nullptr;
   PatchKernel sum_pressures = nullptr;
   PatchKernel pressures = nullptr;  ///< first sweep of T4ANP
-  PatchKernel forces[formulation_count] = {};
-  EnergyKernel strain_energy[formulation_count] = {};
-  EnergyKernel hourglass_energy[formulation_count] = {};  ///< null: none
+  PatchKernel forces[kind_count] = {};
+  EnergyKernel strain_energy[kind_count] = {};
+  EnergyKernel hourglass_energy[kind_count] = {};  ///< null: none
   /// For tests: rcbrt, square_root, log_1p, exp_m1 of `width` numbers.
   void (*functions[4])(const float* from, float* to) = {};
 };
@@ -35,8 +36,8 @@ struct LawTable {
   int parameter_count = 0;
   LawFunction elastic = nullptr, viscous = nullptr;  ///< P [Pa] as Mat3
   LawFunction energy = nullptr;                      ///< W [Pa]
-  PatchKernel forces[formulation_count] = {};        ///< null: take the general one
-  PatchKernel viscous_forces[formulation_count] = {};
+  PatchKernel forces[kind_count] = {};               ///< null: take the general one
+  PatchKernel viscous_forces[kind_count] = {};
 };
 
 struct InstructionSet {

@@ -42,6 +42,7 @@ constexpr LawTable law_kernels() {
     k.forces[0] = tetrahedron_forces<W, Stress, false>;
     k.forces[1] = tetrahedron_forces<W, Stress, true>;
     k.forces[2] = k.forces[3] = hexahedron_forces<W, Stress, H8>;
+    k.forces[5] = hexahedron_forces<W, Stress, H8Parallelepiped>;
     k.viscous_forces[0] = tetrahedron_forces<W, Viscous<W, Law>, false>;
   }
   return k;

@@ -33,13 +33,13 @@ class Plan {
 
 }  // namespace
 
-Layout layout_of(Formulation formulation) {
-  const int constants = constant_count_of(formulation);
-  switch (formulation) {
-    case Formulation::t4:
-    case Formulation::t4anp:
+Layout layout_of(Kind kind) {
+  const int constants = constant_count_of(kind);
+  switch (kind) {
+    case Kind::t4:
+    case Kind::t4anp:
       return {strip_corners, strip_length, constants, 1, 256};
-    case Formulation::h8_full:
+    case Kind::h8_full:
       return {8, 1, constants, 8, 256};
     default:
       return {8, 1, constants, 1, 256};
@@ -61,7 +61,7 @@ PatchBuilder::PatchBuilder(const Model& model, const Numbering& numbering, Eleme
 }
 
 void PatchBuilder::add(Block& block, std::vector<int> elements, std::vector<Patch>& patches) {
-  const Layout layout = layout_of(block.formulation);
+  const Layout layout = layout_of(block.kind);
   const auto items_per_patch = at(layout.items_per_patch);
   const std::size_t window = items_per_patch * at(layout.elements_per_item);
   block.first_patch = static_cast<int>(patches.size());
@@ -212,7 +212,7 @@ void PatchBuilder::write_elements(const Block& block, const Layout& layout, std:
           to.parameters[(place * count + k) * W + lane] = values.parameters[k];
       for (std::size_t a = 0; a + j < 8; ++a)
         X[a] = model_.mesh.X[at(numbering_.user_of_internal[at(items[i].node[a + j])])];
-      element_constants(block.formulation, X, values.stiffness, constants);
+      element_constants(block.kind, X, values.stiffness, constants);
       for (std::size_t c = 0; c < constants.size(); ++c)
         to.constants[(place * constants.size() + c) * W + lane] = static_cast<float>(constants[c]);
       if (to.element) to.element[place * W + lane] = e;
@@ -220,7 +220,7 @@ void PatchBuilder::write_elements(const Block& block, const Layout& layout, std:
 }
 
 void PatchBuilder::add_patch(const Block& block, std::span<const Item> items, std::vector<Patch>& patches) {
-  const Layout layout = layout_of(block.formulation);
+  const Layout layout = layout_of(block.kind);
   Patch patch;
   const std::vector<LocalNode> nodes = sorted_nodes(layout, items, patch.interior_count);
   patch.tiles = tiles_for(items.size(), width_);

@@ -21,11 +21,11 @@ struct Layout {
   int points;           ///< with history, per element
   int items_per_patch;  ///< so that the force rows stay in the first cache
 };
-Layout layout_of(Formulation formulation);
+Layout layout_of(Kind kind);
 
-/// Elements that one kernel can run: same formulation, law and Prony terms.
+/// Elements that one kernel can run: same kind, law and Prony terms.
 struct Block {
-  Formulation formulation = Formulation::t4;
+  Kind kind = Kind::t4;
   const LawTable* law = nullptr;
   std::vector<PronyTerm> isochoric, volumetric;
   int first_patch = 0, patch_count = 0;

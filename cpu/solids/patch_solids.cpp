@@ -70,32 +70,39 @@ void PatchSolids::make_blocks(const Model& model, const Numbering& numbering,
     for (const PronyTerm& t : terms) result.emplace_back(t.alpha, t.tau);
     return result;
   };
-  auto key = [&](const Section& s) {
-    return std::tuple(s.formulation, s.material.law, pairs(s.material.isochoric),
-                      pairs(s.material.volumetric));
-  };
-  std::map<decltype(key(model.sections[0])), int> numbers;
-  std::vector<int> block_of_section;
-  for (const Section& section : model.sections) {
-    const auto [it, is_new] = numbers.emplace(key(section), static_cast<int>(blocks_.size()));
-    block_of_section.push_back(it->second);
-    if (!is_new) continue;
-    blocks_.push_back({section.formulation, &law_named(section.material.law), section.material.isochoric,
-                       section.material.volumetric});
+  using Key = std::tuple<Kind, std::string, decltype(pairs({})), decltype(pairs({}))>;
+  std::map<Key, int> numbers;
+  std::vector<std::vector<int>> elements;  // of each block, in internal order
+  std::vector<int> last(model.sections.size() * kind_count, -1);
+  std::vector<Vec3<double>> X;
+  for (const int e : numbering.element_order) {
+    if (parameters.section_of(e) < 0) continue;
+    const Section& section = model.sections[at(parameters.section_of(e))];
+    X.clear();
+    for (const int n : model.mesh.element(e)) X.push_back(model.mesh.X[at(n)]);
+    const Kind kind = kind_of(section.formulation, X);
+    int& number = last[at(parameters.section_of(e) * kind_count + static_cast<int>(kind))];
+    if (number < 0) {
+      const MaterialSpec& material = section.material;
+      const auto [it, is_new] =
+          numbers.emplace(Key{kind, material.law, pairs(material.isochoric), pairs(material.volumetric)},
+                          static_cast<int>(blocks_.size()));
+      number = it->second;
+      if (is_new) {
+        blocks_.push_back({kind, &law_named(material.law), material.isochoric, material.volumetric});
+        elements.emplace_back();
+      }
+    }
+    elements[at(number)].push_back(e);
   }
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    std::vector<int> elements;
-    for (const int e : numbering.element_order)
-      if (parameters.section_of(e) >= 0 &&
-          block_of_section[at(parameters.section_of(e))] == static_cast<int>(b))
-        elements.push_back(e);
     Block& block = blocks_[b];
-    builder.add(block, std::move(elements), patches_);
+    builder.add(block, std::move(elements[b]), patches_);
     block_of_patch_.resize(patches_.size(), static_cast<int>(b));
-    const auto f = static_cast<std::size_t>(block.formulation);
+    const auto f = static_cast<std::size_t>(block.kind);
     const PatchKernel own = block.terms() > 0 ? block.law->viscous_forces[f] : block.law->forces[f];
     block_passes_.push_back({own ? own : kernels_.forces[f], {}});
-    averages_pressure_ = averages_pressure_ || block.formulation == Formulation::t4anp;
+    averages_pressure_ = averages_pressure_ || block.kind == Kind::t4anp;
   }
 }
 
@@ -135,7 +142,7 @@ void PatchSolids::find_volumes(const Model& model, const Numbering& numbering) {
       std::array<Vec3<double>, 4> X;
       const auto nodes = model.mesh.element(e);
       for (std::size_t a = 0; a < 4; ++a) X[a] = model.mesh.X[at(nodes[a])];
-      element_constants(Formulation::t4, X, {}, constants);
+      element_constants(Kind::t4, X, {}, constants);
       for (const int n : nodes) volume[at(numbering.internal_of_user[at(n)])] += constants[9];
     }
   }
@@ -166,13 +173,13 @@ void PatchSolids::for_block(Pass& pass, const Block& block, const BlockPass& blo
 
 void PatchSolids::load(const Block& block, const Patch& patch, const Pass& pass) const {
   kernels_.load_displacements(patch, pass);
-  if (block.formulation == Formulation::t4anp) kernels_.load_pressures(patch, pass);
+  if (block.kind == Kind::t4anp) kernels_.load_pressures(patch, pass);
 }
 
 /// First sweep of T4ANP (Joldes et al. 2009): volume-weighted mean of the element pressures at the nodes.
 void PatchSolids::average_pressures(Pass pass, int thread) {
   for (int p = cut_[at(thread)]; p < cut_[at(thread) + 1]; ++p) {
-    if (blocks_[at(block_of_patch_[at(p)])].formulation != Formulation::t4anp) continue;
+    if (blocks_[at(block_of_patch_[at(p)])].kind != Kind::t4anp) continue;
     pass.next = streams_ && p + 1 < cut_[at(thread) + 1] ? &patches_[at(p + 1)] : nullptr;
     kernels_.load_displacements(patches_[at(p)], pass);
     kernels_.pressures(patches_[at(p)], pass);
@@ -252,14 +259,12 @@ double PatchSolids::sum_energy(const StepView<float>& step, Energy&& energy) {
 }
 
 double PatchSolids::strain_energy(const StepView<float>& step) {
-  return sum_energy(
-      step, [&](const Block& b) { return kernels_.strain_energy[static_cast<std::size_t>(b.formulation)]; });
+  return sum_energy(step,
+                    [&](const Block& b) { return kernels_.strain_energy[static_cast<std::size_t>(b.kind)]; });
 }
 
 double PatchSolids::hourglass_energy(const StepView<float>& step) {
-  auto kernel = [&](const Block& b) {
-    return kernels_.hourglass_energy[static_cast<std::size_t>(b.formulation)];
-  };
+  auto kernel = [&](const Block& b) { return kernels_.hourglass_energy[static_cast<std::size_t>(b.kind)]; };
   if (std::none_of(blocks_.begin(), blocks_.end(), [&](const Block& b) { return kernel(b) != nullptr; }))
     return 0;
   return sum_energy(step, kernel);
@@ -268,7 +273,7 @@ double PatchSolids::hourglass_energy(const StepView<float>& step) {
 void PatchSolids::keep_history_order(const Model& model) {
   for (const Section& section : model.sections) {
     const std::size_t terms = section.material.isochoric.size() + section.material.volumetric.size();
-    const auto points = at(layout_of(section.formulation).points);
+    const auto points = at(layout_of(static_cast<Kind>(section.formulation)).points);
     if (terms == 0) continue;
     history_begin_.resize(at(model.mesh.element_count()));
     for (const int e : section.elements) {
@@ -284,7 +289,7 @@ void PatchSolids::visit_history(Visit&& visit) const {
   const auto W = at(kernels_.width);
   for (std::size_t p = 0; p < patches_.size(); ++p) {
     const Block& block = blocks_[at(block_of_patch_[p])];
-    const Layout layout = layout_of(block.formulation);
+    const Layout layout = layout_of(block.kind);
     const std::size_t per_element = at(layout.points * block.terms()) * 6;
     if (per_element == 0) continue;
     for (std::size_t place = 0; place < at(patches_[p].tiles * layout.elements_per_item) * W; ++place) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <glisson/core/numbers/remainders.hpp>
+#include <glisson/core/tensor/traceless_eigenvalues.hpp>
 
 #include "tests/core/material_cases.hpp"
 
@@ -66,6 +67,23 @@ TEST(EigenSymmetric, FourSweepsReachRoundOff) {
     const double size = largest(full(a));
     ASSERT_LT(largest_difference(back, full(a)), 1e-14 * size) << n;
     ASSERT_LT(largest_difference(V * transpose(V), identity()), 1e-14) << n;
+  }
+}
+
+// Exact sums of powers of the eigenvalues, random tensors and those with equal eigenvalues.
+TEST(TracelessEigenvalues, AreRootsAlsoWhereTheyMeet) {
+  const Sym3<double> cases[] = {{1, 1, -2, 0, 0, 0},          {-1, 2, -1, 0, 0, 0},
+                                {0, 0, 0, 1, 0, 0},           {0, 0, 0, 1, 1, 1},
+                                {0, 0, 0, -1, -1, -1},        {3, -1, -2, 0.5, -0.7, 0.1},
+                                {1e-8, 1e-8, -2e-8, 0, 0, 0}, {1, -1, 0, 1e-9, 0, 0}};
+  for (const Sym3<double>& x : cases) {
+    const auto v = traceless_eigenvalues(x);
+    const double a = v.apart, b = v.middle - v.half_gap, c = v.middle + v.half_gap, size = contract(x, x);
+    EXPECT_GT(v.half_gap, 0);
+    EXPECT_NEAR(a + b + c, 0, 1e-15 * std::sqrt(size));
+    EXPECT_NEAR(a * a + b * b + c * c, size, 1e-14 * size);
+    EXPECT_NEAR(a * b * c, determinant(x), 1e-14 * size * std::sqrt(size));
+    EXPECT_GE(std::abs(a - v.middle), v.half_gap);  // apart from both
   }
 }
 

@@ -11,7 +11,7 @@
 #include <glisson/core/solids/plain_solids.hpp>
 #include <glisson/cpu/patch_solids.hpp>
 #include <glisson/cpu/serial.hpp>
-#include <glisson/cpu/solids/kernel_table.hpp>
+#include <glisson/cpu/solids/element_constants.hpp>
 
 namespace glisson {
 namespace {
@@ -198,6 +198,53 @@ TEST(PatchSolidsState, EvaluationAloneLeavesTheHistory) {
   other->set_history(history);
   EXPECT_EQ(other->history(), history);
   EXPECT_THROW(other->set_history({1, 2, 3}), Error);
+}
+
+/// Boxes below, distorted above: patches run them by different kernels, the reference knows one.
+Model boxes_and_others(Formulation formulation, const std::string& law, bool viscous) {
+  Model model = mixed_model(formulation, law, viscous, {9, 8, 7});
+  model.mesh = box_mesh({9, 8, 7}, {0.1, 0.09, 0.08}, Shape::hexahedron, 0, true);
+  for (Vec3<double>& X : model.mesh.X)
+    if (X.z > 0.05) X = {X.x + 0.001 * std::sin(900 * X.y), X.y + 0.001 * std::sin(700 * X.z), X.z};
+  for (Vec3<double>& X : model.mesh.X) X = {X.x + 0.3 * X.y, X.y - 0.2 * X.z, X.z + 0.1 * X.x};
+  return model;
+}
+
+TEST(PatchSolidsParallelepipeds, AgreeWithTheGeneralHexahedron) {
+  for (const Formulation formulation : {Formulation::h8, Formulation::h8_fixed})
+    for (const char* law : {"NH", "OG"})
+      for (const bool viscous : {false, true}) {
+        const Model model = boxes_and_others(formulation, law, viscous);
+        const Numbering numbering = make_numbering(model.mesh);
+        Threads threads(2);
+        Serial serial;
+        const auto plain = make_plain_solids<Serial, double>(serial, model, numbering);
+        for (const std::string& set : available_sets()) {
+          const auto patches = make_patch_solids(threads, model, numbering, set);
+          Nodes<float> a(model, numbering, 0.4);
+          Nodes<double> b(model, numbering, 0.4);
+          patches->add_forces(a.view);
+          plain->add_forces(b.view);
+          EXPECT_LT(difference(a.f, b.f), 2e-5) << law << set;
+          const double strain = plain->strain_energy(b.view), hourglass = plain->hourglass_energy(b.view);
+          EXPECT_NEAR(patches->strain_energy(a.view), strain, 1e-6 * strain) << law << set;
+          EXPECT_NEAR(patches->hourglass_energy(a.view), hourglass, 1e-5 * hourglass) << law << set;
+          plain->set_history(std::vector<double>(plain->history().size()));
+        }
+      }
+}
+
+TEST(PatchSolidsParallelepipeds, AreToldFromAlmostParallelepipeds) {
+  const Mesh mesh = box_mesh({1, 1, 1}, {0.1, 0.2, 0.3}, Shape::hexahedron);
+  std::vector<Vec3<double>> X;
+  for (const int n : mesh.element(0)) X.push_back(mesh.X[at(n)]);
+  using patches::Kind, patches::kind_of;
+  EXPECT_EQ(kind_of(Formulation::h8, X), Kind::h8_parallelepiped);
+  EXPECT_EQ(kind_of(Formulation::h8_fixed, X), Kind::h8_parallelepiped);
+  EXPECT_EQ(kind_of(Formulation::h8_full, X), Kind::h8_full);
+  X[6].y += 1e-6;
+  EXPECT_EQ(kind_of(Formulation::h8, X), Kind::h8);
+  EXPECT_EQ(kind_of(Formulation::h8_fixed, X), Kind::h8_fixed);
 }
 
 // One section, one law: 41 numbers of the elements, indices and sums. The bound is the promise of the
