@@ -9,7 +9,7 @@ add_test(NAME checks.themselves COMMAND ${Python3_EXECUTABLE} ${GLISSON_CHECKS}/
 
 # Every public header as the only line of a file. Not part of the default build: the test builds it.
 set(headers "")
-foreach(folder IN ITEMS core cpu cuda contact models run)
+foreach(folder IN ITEMS core cpu cuda contact shells models run)
   file(GLOB_RECURSE found CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
   list(APPEND headers ${found})
 endforeach()
@@ -21,7 +21,7 @@ foreach(header IN LISTS headers)
   list(APPEND sources ${source})
 endforeach()
 add_library(check_headers OBJECT EXCLUDE_FROM_ALL ${sources})
-target_link_libraries(check_headers PRIVATE glisson::run glisson::models glisson::contact glisson::cpu glisson::cuda
+target_link_libraries(check_headers PRIVATE glisson::run glisson::models glisson::contact glisson::shells glisson::cpu glisson::cuda
   glisson::core)
 target_compile_options(check_headers PRIVATE -O0 -Wall -Wextra -Wno-missing-field-initializers)
 if(NOT GLISSON_SANITIZE)

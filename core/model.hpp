@@ -49,6 +49,32 @@ struct Section {
   double hourglass = 0.075;  ///< hourglass coefficient of h8 and h8_fixed [-]
 };
 
+enum class ShellFormulation {
+  membrane,       ///< constant-strain triangle without bending (Bonet et al. 2000)
+  rotation_free,  ///< EBST1: curvature from the three neighbours, displacements only (Flores & Onate 2005)
+};
+
+/// Triangles that share a formulation, a law and its parameters; every triangle belongs to exactly one.
+struct ShellSection {
+  std::string name;  ///< for messages: "ShellElementSet at line 12"
+  ShellFormulation formulation = ShellFormulation::membrane;
+  std::string law;                       ///< Linear, NeoHookean, ...: see shell_law_table
+  std::vector<double> parameters;        ///< [law's count]
+  double bending_E = 0, bending_nu = 0;  ///< rotation_free: plate stiffness E h^3 / (12 (1 - nu^2)) [Pa, -]
+  double density = 0;                    ///< rest density [kg/m^3]
+  double thickness = 0;                  ///< at rest [m]
+  std::vector<double> element_density, element_thickness;  ///< [elements], or empty: the values above
+  Vec3<double> direction;  ///< of the first local axis, projected onto each triangle; zero: its first edge
+  bool wrinkling = false;  ///< membrane: compression makes wrinkles instead of stress (tension field)
+  std::vector<PronyTerm> prony;  ///< on the whole stress in the plane
+  std::vector<int> elements;     ///< triangles of Mesh::triangles
+
+  double thickness_of(std::size_t k) const {
+    return element_thickness.empty() ? thickness : element_thickness[k];
+  }
+  double density_of(std::size_t k) const { return element_density.empty() ? density : element_density[k]; }
+};
+
 /// Axes bit mask: 1 = x, 2 = y, 4 = z.
 using Axes = unsigned;
 constexpr Axes all_axes = 7;
@@ -162,6 +188,9 @@ struct Model {
   std::string units;  ///< "SI", "mm-kg-s" or empty: any consistent set
   Mesh mesh;
   std::vector<Section> sections;
+  std::vector<ShellSection> shells;
+  /// Edges between two of these have no rotation (rotation_free shells); the nodes must be fixed too.
+  std::vector<int> clamped_nodes;
   std::vector<FixedNodes> fixed;
   std::vector<PrescribedDisplacement> displacements;
   std::vector<NodalForce> forces;

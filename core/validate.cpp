@@ -9,6 +9,7 @@ std::vector<std::string> validate(const Model& model) {
   detail::check_mesh_arrays(model.mesh);
   const auto formulation = detail::check_sections(model, warnings);
   detail::check_elements(model.mesh, formulation, warnings);
+  detail::check_shells(model, warnings);
   detail::check_nodes(model, warnings);
   detail::check_loads(model, warnings);
   detail::check_time(model, warnings);

@@ -12,6 +12,8 @@
 #include <glisson/core/simulation/simulation.hpp>
 #include <glisson/core/solids/mass.hpp>
 #include <glisson/core/solids/stable_step.hpp>
+#include <glisson/shells/inertia.hpp>
+#include <glisson/shells/shell_forces.hpp>
 
 namespace glisson {
 
@@ -30,11 +32,15 @@ std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> b
   SimulationParts<B, R> parts;
   parts.device = std::move(device);
   parts.numbering = make_numbering(model.mesh);
-  const InertialMass inertia = inertial_mass(model);
+  InertialMass inertia = inertial_mass(model);
+  shells::add_inertia(model, inertia);
   parts.mass = reordered(inertia.mass, parts.numbering);
   parts.added_mass = inertia.added_share;
   parts.element_step = inertia.step;
-  parts.solids = make_solids(*backend, model, parts.numbering);
+  if (model.mesh.element_count() > 0) parts.solids = make_solids(*backend, model, parts.numbering);
+  if (!model.shells.empty())
+    parts.solids = std::make_unique<shells::ShellForces<B, R>>(*backend, model, parts.numbering,
+                                                               std::move(parts.solids));
   const std::vector<double> gravity_mass = reordered(lumped_mass(model), parts.numbering);
   parts.loads = make_loads<B, R>(*backend, model, parts.numbering, gravity_mass, parts.mass);
   parts.bodies = contact::make_rigid_bodies<B, R>(*backend, model, parts.numbering, parts.mass);

@@ -42,6 +42,10 @@ class Hasher {
     all(m.law, m.parameters, m.density, m.isochoric, m.volumetric, m.element_parameters);
   }
   void add(const Section& s) { all(s.formulation, s.material, s.elements, s.hourglass); }
+  void add(const ShellSection& s) {
+    all(s.formulation, s.law, s.parameters, s.bending_E, s.bending_nu, s.density, s.thickness,
+        s.element_density, s.element_thickness, s.direction, s.wrinkling, s.prony, s.elements);
+  }
   void add(const FixedNodes& c) { all(c.nodes, c.axes); }
   void add(const PrescribedDisplacement& c) { all(c.nodes, c.axes, c.values, c.curve); }
   void add(const NodalForce& c) { all(c.nodes, c.axes, c.values, c.curve); }
@@ -62,7 +66,7 @@ class Hasher {
     all(t.total, t.step, t.safety, t.stepper, t.damping, t.mass_scaling_step, t.quasi_static,
         t.monitor_every);
   }
-  void add(const Mesh& m) { all(m.X, m.shape, m.nodes); }
+  void add(const Mesh& m) { all(m.X, m.shape, m.nodes, m.triangles); }
 
   template <class... T>
   void all(const T&... values) {
@@ -84,8 +88,8 @@ std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t start
 
 std::uint64_t model_hash(const Model& m) {
   Hasher hasher;
-  hasher.all(m.mesh, m.sections, m.fixed, m.displacements, m.forces, m.gravity, m.pressures, m.tractions,
-             m.springs, m.planes, m.bodies, m.initial_velocities, m.time);
+  hasher.all(m.mesh, m.sections, m.shells, m.clamped_nodes, m.fixed, m.displacements, m.forces, m.gravity,
+             m.pressures, m.tractions, m.springs, m.planes, m.bodies, m.initial_velocities, m.time);
   return hasher.hash();
 }
 

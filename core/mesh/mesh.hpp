@@ -26,11 +26,12 @@ struct NamedArray {
 /// Tetrahedra: nodes a b c d with (b-a) x (c-a) . (d-a) > 0. Hexahedra: 0-1-2-3 counter-clockwise seen from
 /// above (from 4-5-6-7), then 4-5-6-7 above them.
 struct Mesh {
-  std::vector<Vec3<double>> X;  ///< rest position [m]                      [node_count]
-  std::vector<Shape> shape;     ///< shape of each element [-]              [element_count]
-  std::vector<int> begin{0};    ///< first entry in nodes of element e [-]  [element_count + 1]
-  std::vector<int> nodes;       ///< connectivity, 0-based [-]              [begin.back()]
-  std::vector<int> label;       ///< region of each element [-]             [element_count] or empty: all 0
+  std::vector<Vec3<double>> X;                ///< rest position [m]                      [node_count]
+  std::vector<Shape> shape;                   ///< shape of each element [-]              [element_count]
+  std::vector<int> begin{0};                  ///< first entry in nodes of element e [-]  [element_count + 1]
+  std::vector<int> nodes;                     ///< connectivity, 0-based [-]              [begin.back()]
+  std::vector<std::array<int, 3>> triangles;  ///< of membranes and shells, 0-based [-]  [triangle_count]
+  std::vector<int> label;  ///< region of each element [-]             [element_count] or empty: all 0
   std::map<std::string, NamedArray> cell_arrays;   ///< per element
   std::map<std::string, NamedArray> point_arrays;  ///< per node
 

@@ -32,12 +32,12 @@ template <Backend B, class R>
 void Simulation<B, R>::choose_step() {
   stable_step_ = stable_step_now(40);
   const auto& e = parts_.element_step;
-  limited_by_ = "element " + std::to_string(e.element);
+  limited_by_ = e.element >= 0 ? "element " + std::to_string(e.element) : std::string("a shell triangle");
   const TimeSettings& time = model_.time;
   if (!(stable_step_ > 0) || !std::isfinite(stable_step_))
-    throw Error(ErrorKind::input,
-                "The stable time step could not be estimated (" + std::to_string(stable_step_) +
-                    " s). The model needs solid elements with positive stiffness and mass.");
+    throw Error(ErrorKind::input, "The stable time step could not be estimated (" +
+                                      std::to_string(stable_step_) +
+                                      " s). The model needs elements with positive stiffness and mass.");
   const double wish = time.safety * stable_step_;
   if (relaxation_)
     plan_ = StepPlan::endless(wish);

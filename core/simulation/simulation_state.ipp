@@ -11,6 +11,8 @@ inline Stepper default_stepper(const Model& model) {
 }
 
 inline bool has_prony(const Model& model) {
+  for (const ShellSection& shell : model.shells)
+    if (!shell.prony.empty()) return true;
   return std::any_of(model.sections.begin(), model.sections.end(), [](const Section& s) {
     return !s.material.isochoric.empty() || !s.material.volumetric.empty();
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <glisson/core/elements/hexahedron.hpp>
+#include <glisson/core/mesh/triangles.hpp>
 
 namespace glisson {
 namespace {
@@ -37,6 +38,13 @@ std::vector<double> lumped_mass(const Model& model) {
   for (const Section& section : model.sections)
     for (const int e : section.elements)
       share_mass(model.mesh, e, section.material.density * volume_of(model.mesh, e), nodal);
+  for (const ShellSection& section : model.shells)
+    for (std::size_t k = 0; k < section.elements.size(); ++k) {
+      const auto& t = model.mesh.triangles[static_cast<std::size_t>(section.elements[k])];
+      const double area = triangle_area(t, model.mesh.X);
+      for (const int n : t)
+        nodal[static_cast<std::size_t>(n)] += section.density_of(k) * section.thickness_of(k) * area / 3;
+    }
   return nodal;
 }
 

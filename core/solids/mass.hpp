@@ -9,7 +9,7 @@
 namespace glisson {
 
 /// Each element shares its mass rho V equally among its nodes (Johnsen 2016, algorithm 4.1); V of hexahedra
-/// is exact. User's node order [kg]  [node_count]
+/// is exact. Each triangle shares rho h A. User's node order [kg]  [node_count]
 std::vector<double> lumped_mass(const Model& model);
 
 struct InertialMass {

@@ -25,6 +25,8 @@ void check_elements(const Mesh& mesh, const std::vector<Formulation>& formulatio
 void check_nodes(const Model& model, Warnings& warnings);
 /// Every element in one section, laws and their parameters. Returns the formulation of each element.
 std::vector<Formulation> check_sections(const Model& model, Warnings& warnings);
+/// Triangles of membranes and shells: every one in one section, area, edges, laws.
+void check_shells(const Model& model, Warnings& warnings);
 /// Lists, values and curves of loads, constraints and bodies.
 void check_loads(const Model& model, Warnings& warnings);
 void check_time(const Model& model, Warnings& warnings);

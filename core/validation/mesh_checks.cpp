@@ -112,7 +112,8 @@ double check_hexahedron(const Mesh& mesh, int e, Formulation formulation) {
 
 void check_mesh_arrays(const Mesh& mesh) {
   const auto elements = mesh.shape.size();
-  if (elements == 0 || mesh.X.empty()) refuse("mesh", "it has no elements, so there is nothing to simulate");
+  if ((elements == 0 && mesh.triangles.empty()) || mesh.X.empty())
+    refuse("mesh", "it has no elements, so there is nothing to simulate");
   if (mesh.begin.size() != elements + 1 || mesh.begin[0] != 0 ||
       static_cast<std::size_t>(mesh.begin.back()) != mesh.nodes.size())
     refuse("mesh", "the table of first nodes does not fit the elements");
@@ -157,6 +158,8 @@ void check_nodes(const Model& model, Warnings& warnings) {
   const Mesh& mesh = model.mesh;
   std::vector<char> used(mesh.X.size(), 0);
   for (const int n : mesh.nodes) used[static_cast<std::size_t>(n)] = 1;
+  for (const auto& triangle : mesh.triangles)
+    for (const int n : triangle) used[static_cast<std::size_t>(n)] = 1;
   const auto unused = std::count(used.begin(), used.end(), 0);
   if (unused > 0) {
     const auto first = std::find(used.begin(), used.end(), 0) - used.begin();

@@ -123,7 +123,8 @@ void check_locking(const Section& section, const std::string& where, Warnings& w
 
 std::vector<Formulation> check_sections(const Model& model, Warnings& warnings) {
   const Mesh& mesh = model.mesh;
-  if (model.sections.empty()) refuse("model", "no element has a material; add an ElementSet");
+  if (model.sections.empty() && mesh.element_count() > 0)
+    refuse("model", "no element has a material; add an ElementSet");
   std::vector<int> owner(mesh.shape.size(), -1);
   std::vector<Formulation> formulation(mesh.shape.size());
   for (std::size_t s = 0; s < model.sections.size(); ++s) {

@@ -16,8 +16,9 @@ MAY_INCLUDE = {
     "cuda": {"core"},
     "models": {"core"},
     "contact": {"core"},
-    "run": {"core", "cpu", "cuda", "models", "contact"},
-    "app": {"core", "cpu", "models", "contact", "run"},
+    "shells": {"core"},
+    "run": {"core", "cpu", "cuda", "models", "contact", "shells"},
+    "app": {"core", "cpu", "models", "contact", "shells", "run"},
 }
 # The library has no console; only the command line, tests and examples print.
 PRINTS = re.compile(r"#\s*include\s*<(iostream|print)>|\bstd::(cout|cerr|clog)\b|\b(f?printf|f?puts)\s*\(")

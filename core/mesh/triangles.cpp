@@ -1,0 +1,91 @@
+#include <glisson/core/mesh/triangles.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace glisson {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Nodes of side s in the triangle's own direction.
+std::pair<int, int> ends(std::span<const Triangle> triangles, int side) {
+  const Triangle& t = triangles[at(side / 3)];
+  return {t[at((side + 1) % 3)], t[at((side + 2) % 3)]};
+}
+
+struct Side {
+  int a, b, side;
+};
+
+}  // namespace
+
+std::vector<TriangleEdge> edges_of(std::span<const Triangle> triangles) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  for (int e = 0; e < static_cast<int>(triangles.size()); ++e)
+    for (int s = 0; s < 3; ++s) {
+      const Triangle& t = triangles[at(e)];
+      const auto [a, b] = std::minmax(t[at((s + 1) % 3)], t[at((s + 2) % 3)]);
+      sides.push_back({a, b, 3 * e + s});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    return std::pair(std::pair(x.a, x.b), x.side) < std::pair(std::pair(y.a, y.b), y.side);
+  });
+  std::vector<TriangleEdge> edges;
+  for (const Side& s : sides) {
+    if (edges.empty() || edges.back().a != s.a || edges.back().b != s.b) edges.push_back({s.a, s.b, {}});
+    edges.back().sides.push_back(s.side);
+  }
+  return edges;
+}
+
+bool same_orientation(std::span<const Triangle> triangles, const TriangleEdge& edge) {
+  return ends(triangles, edge.sides[0]) != ends(triangles, edge.sides[1]);
+}
+
+int orient(std::vector<Triangle>& triangles) {
+  struct Neighbour {
+    int triangle;
+    bool agrees;
+  };
+  std::vector<std::vector<Neighbour>> neighbours(triangles.size());
+  for (const TriangleEdge& edge : edges_of(triangles)) {
+    if (edge.sides.size() != 2) continue;
+    const int e = edge.sides[0] / 3, f = edge.sides[1] / 3;
+    const bool agrees = same_orientation(triangles, edge);
+    neighbours[at(e)].push_back({f, agrees});
+    neighbours[at(f)].push_back({e, agrees});
+  }
+  std::vector<int> turn(triangles.size(), -1);
+  std::vector<int> front;
+  for (std::size_t first = 0; first < triangles.size(); ++first) {
+    if (turn[first] >= 0) continue;
+    turn[first] = 0;
+    front.assign(1, static_cast<int>(first));
+    while (!front.empty()) {
+      const int e = front.back();
+      front.pop_back();
+      for (const Neighbour& n : neighbours[at(e)]) {
+        const int wanted = n.agrees ? turn[at(e)] : 1 - turn[at(e)];
+        if (turn[at(n.triangle)] < 0) {
+          turn[at(n.triangle)] = wanted;
+          front.push_back(n.triangle);
+        } else if (turn[at(n.triangle)] != wanted) {
+          return -1;
+        }
+      }
+    }
+  }
+  for (std::size_t e = 0; e < triangles.size(); ++e)
+    if (turn[e] == 1) std::swap(triangles[e][1], triangles[e][2]);
+  return static_cast<int>(std::count(turn.begin(), turn.end(), 1));
+}
+
+double triangle_area(const Triangle& t, std::span<const Vec3<double>> X) {
+  const auto N = cross(X[at(t[1])] - X[at(t[0])], X[at(t[2])] - X[at(t[0])]);
+  return 0.5 * std::sqrt(dot(N, N));
+}
+
+}  // namespace glisson

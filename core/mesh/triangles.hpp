@@ -1,0 +1,35 @@
+// Topology of a triangle surface: who lies across which edge, and a common orientation.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <glisson/core/tensor/tensor.hpp>
+
+namespace glisson {
+
+using Triangle = std::array<int, 3>;
+
+/// The triangles at one edge, side s of a triangle being the one opposite to its node s.
+struct TriangleEdge {
+  int a = 0, b = 0;        ///< nodes, a < b
+  std::vector<int> sides;  ///< 3 * triangle + side [-]
+};
+
+/// Every edge once, sorted by its nodes.
+std::vector<TriangleEdge> edges_of(std::span<const Triangle> triangles);
+
+/// True when the two sides of an edge run through it in opposite directions, as neighbours of one orientation
+/// do.
+bool same_orientation(std::span<const Triangle> triangles, const TriangleEdge& edge);
+
+/// Turns triangles until neighbours across two-sided edges agree, following the first of each connected part;
+/// returns how many were turned, or -1 when the surface has one side only (a Moebius strip), which is then
+/// left as it was.
+int orient(std::vector<Triangle>& triangles);
+
+/// [m^2]
+double triangle_area(const Triangle& triangle, std::span<const Vec3<double>> X);
+
+}  // namespace glisson
