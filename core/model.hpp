@@ -150,6 +150,19 @@ struct RigidBody {
   std::vector<int> nodes;  ///< nodes that may touch it; empty: all surface nodes
 };
 
+/// Rigid surface of triangles or quadrilaterals that nodes stay in front of, with Coulomb friction. The front
+/// is where the facets' normals point. It turns by Rx Ry Rz about `centre`, then shifts.
+struct RigidSurface {
+  std::string name;
+  SurfaceMesh surface;
+  double friction = 0;        ///< Coulomb's coefficient [-]
+  Vec3<double> displacement;  ///< at amplitude 1 [m]
+  Vec3<double> angles;        ///< about x, y, z at amplitude 1 [rad]
+  Vec3<double> centre;        ///< of the rotation, at rest [m]
+  LoadCurve motion{LoadShape::ramp};
+  std::vector<int> nodes;  ///< nodes that may touch it; empty: all surface nodes
+};
+
 struct InitialVelocity {
   std::vector<int> nodes;
   Vec3<double> velocity;  ///< [m/s]
@@ -200,6 +213,7 @@ struct Model {
   std::vector<Springs> springs;
   std::vector<SlidingPlane> planes;
   std::vector<RigidBody> bodies;
+  std::vector<RigidSurface> surfaces;
   std::vector<InitialVelocity> initial_velocities;
   TimeSettings time;
   OutputSettings output;

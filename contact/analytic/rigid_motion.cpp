@@ -51,8 +51,8 @@ Plate<double> RigidMotion::plate() const {
           std::max(length_of(ab), length_of(ac))};
 }
 
-std::vector<int> candidate_nodes(const RigidBody& body, const Mesh& mesh) {
-  return body.nodes.empty() ? nodes_of(outer_surface(mesh)) : body.nodes;
+std::vector<int> candidate_nodes(const std::vector<int>& listed, const Mesh& mesh) {
+  return listed.empty() ? nodes_of(outer_surface(mesh)) : listed;
 }
 
 }  // namespace glisson::contact

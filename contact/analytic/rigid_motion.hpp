@@ -30,8 +30,8 @@ class RigidMotion {
   Vec3<double> side_;  ///< unit, normal to the axis
 };
 
-/// Nodes of the user's numbering that a body may touch: its own list, or all nodes of the outer surface.
-std::vector<int> candidate_nodes(const RigidBody& body, const Mesh& mesh);
+/// Nodes of the user's numbering that a body may touch: those listed, or all nodes of the outer surface.
+std::vector<int> candidate_nodes(const std::vector<int>& listed, const Mesh& mesh);
 
 template <class R>
 Vec3<R> narrowed(const Vec3<double>& a) {

@@ -29,6 +29,9 @@ std::vector<Formulation> check_sections(const Model& model, Warnings& warnings);
 void check_shells(const Model& model, Warnings& warnings);
 /// Lists, values and curves of loads, constraints and bodies.
 void check_loads(const Model& model, Warnings& warnings);
+/// Friction and facets of rigid surfaces: corners that exist, area, at most two owners of an edge, one
+/// orientation.
+void check_rigid_surfaces(const Model& model);
 void check_time(const Model& model, Warnings& warnings);
 /// Orders of magnitude, when the units are known.
 void check_units(const Model& model, Warnings& warnings);

@@ -155,9 +155,15 @@ void check_loads(const Model& model, Warnings& warnings) {
   check_node_constraints(model);
   check_forces(model);
   check_each(model, "contact body", model.bodies, check_body);
+  check_each(model, "ContactSurface", model.surfaces, [](const LoadChecks& check, const RigidSurface& s) {
+    check.nodes(s.nodes, true);
+    check.curve(s.motion);
+    for (const auto& v : {s.displacement, s.angles, s.centre}) check.is_finite(v);
+    for (const auto& X : s.surface.X) check.is_finite(X);
+  });
   const bool moved = !model.displacements.empty() || !model.forces.empty() || !model.gravity.empty() ||
                      !model.pressures.empty() || !model.tractions.empty() || !model.springs.empty() ||
-                     !model.bodies.empty() || !model.initial_velocities.empty();
+                     !model.bodies.empty() || !model.surfaces.empty() || !model.initial_velocities.empty();
   if (!moved)
     warnings.push_back("the model has no load, prescribed displacement or moving body: nothing will happen");
   const bool held =

@@ -15,18 +15,6 @@ const std::vector<std::string>& type_names() {
   return names;
 }
 
-void read_nodes(const XmlElement& level, Mesh& mesh) {
-  const auto& element = level.required_child("Nodes");
-  element.required_attribute("NumNodes");
-  const int count = *element.integer_attribute("NumNodes");
-  const auto values = element.numbers();
-  if (count <= 0 || values.size() != 3 * static_cast<std::size_t>(count))
-    element.fail("it holds " + std::to_string(values.size()) + " coordinates, but NumNodes=\"" +
-                 std::to_string(count) + "\" needs " + std::to_string(3 * static_cast<std::int64_t>(count)));
-  for (std::size_t i = 0; i < values.size(); i += 3)
-    mesh.X.push_back({values[i], values[i + 1], values[i + 2]});
-}
-
 Shape shape_with(const XmlElement& element, int node_count) {
   if (node_count == 4) return Shape::tetrahedron;
   if (node_count == 8) return Shape::hexahedron;
@@ -114,7 +102,7 @@ void read_mesh_file(const Reader& reader, const XmlElement& element, Part& part,
   if (mesh.element_count() == 0)
     element.fail("the file has no element of Type=\"" + (type != nullptr ? type->value : "AUTO") +
                  "\"; choose a Type that it holds");
-  transform_nodes(transform_in(element), mesh.X);
+  transform_as_told(element, mesh.X);
 }
 
 /// A tetrahedron in the other orientation is the same body; NiftySim takes both.
@@ -135,6 +123,22 @@ void turn_tetrahedra(const Reader& reader, const XmlElement& level, Mesh& mesh) 
 }
 
 }  // namespace
+
+std::vector<Vec3<double>> read_positions(const XmlElement& element) {
+  element.required_attribute("NumNodes");
+  const int count = *element.integer_attribute("NumNodes");
+  const auto values = element.numbers();
+  if (count <= 0 || values.size() != 3 * static_cast<std::size_t>(count))
+    element.fail("it holds " + std::to_string(values.size()) + " coordinates, but NumNodes=\"" +
+                 std::to_string(count) + "\" needs " + std::to_string(3 * static_cast<std::int64_t>(count)));
+  std::vector<Vec3<double>> X;
+  for (std::size_t i = 0; i < values.size(); i += 3) X.push_back({values[i], values[i + 1], values[i + 2]});
+  return X;
+}
+
+void transform_as_told(const XmlElement& element, std::span<Vec3<double>> X) {
+  transform_nodes(transform_in(element), X);
+}
 
 Vec3<double> vector_of(const XmlElement& element) {
   const auto v = element.numbers(3);
@@ -196,7 +200,7 @@ void read_geometry(const Reader& reader, const XmlElement& level, Part& part) {
                         "a second geometry: <" + from_file->name + "> is there too; keep one of them");
     read_mesh_file(reader, *from_file, part, choice);
   } else {
-    read_nodes(level, part.model.mesh);
+    part.model.mesh.X = read_positions(level.required_child("Nodes"));
     read_elements(level, part.model.mesh);
     const auto& elements = level.required_child("Elements");
     choice = formulation_choice(elements, elements.required_attribute("Type"));

@@ -11,11 +11,16 @@ Mesh mesh_from_file(const Reader& reader, const XmlElement& element) {
   return mesh;
 }
 
+SurfaceMesh surface_from_file(const Reader& reader, const XmlElement& element) {
+  std::vector<std::string> warnings;
+  SurfaceMesh surface = read_surface_mesh(reader.find_file(element, element.required_text()), &warnings);
+  for (const auto& warning : warnings) reader.warn(element, warning);
+  return surface;
+}
+
 std::shared_ptr<const SurfaceDistance> distance_from_file(const Reader& reader, const XmlElement& element,
                                                           double reach) {
-  std::vector<std::string> warnings;
-  const auto surface = read_surface_mesh(reader.find_file(element, element.required_text()), &warnings);
-  for (const auto& warning : warnings) reader.warn(element, warning);
+  const auto surface = surface_from_file(reader, element);
   if (surface.facets.empty()) element.fail("the surface has no facets, so nothing has a distance to it");
   return std::make_shared<SurfaceDistance>(surface, reach);
 }

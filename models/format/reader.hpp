@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,7 @@ void read_geometry(const Reader& reader, const XmlElement& level, Part& part);
 void read_element_sets(const Reader& reader, const XmlElement& level, Part& part);
 void read_constraints(const Reader& reader, const XmlElement& level, Part& part);
 void read_contact(const Reader& reader, const XmlElement& model, Part& part);
+void read_contact_surfaces(const Reader& reader, const XmlElement& model, Part& part);
 void read_system_params(Reader& reader, const XmlElement& model, TimeSettings& time);
 void read_output(const XmlElement& model, OutputSettings& output);
 
@@ -73,9 +75,14 @@ Part read_level(const Reader& reader, const XmlElement& level);
 
 /// The one place that calls the mesh readers.
 Mesh mesh_from_file(const Reader& reader, const XmlElement& element);
+SurfaceMesh surface_from_file(const Reader& reader, const XmlElement& element);
+/// Moves positions by the element's Rotation, ScaleFactor and Translation.
+void transform_as_told(const XmlElement& element, std::span<Vec3<double>> X);
 std::shared_ptr<const SurfaceDistance> distance_from_file(const Reader& reader, const XmlElement& element,
                                                           double reach);
 
+/// The coordinates of a Nodes element of a mesh.
+std::vector<Vec3<double>> read_positions(const XmlElement& nodes);
 /// A list of indices, or a single start index for `count` consecutive ones; checked against [0, size).
 std::vector<int> index_list(const XmlElement& element, std::optional<int> count, int size, const char* what);
 

@@ -21,7 +21,8 @@ constexpr std::array rules{
         "Mesh=MeshFile "
         "ElementSet=ElementSet* Constraint=Constraint* SubModel=SubModel* SubModelNodeMergerDistance=Value "
         "ContactCylinder=Cylinder* ContactUSProbe=Cylinder* ContactPlate=Plate* Output=Output "
-        "SystemParams=SystemParams ShellElements=NotBuilt ShellElementSet=NotBuilt* ContactSurface=NotBuilt* "
+        "SystemParams=SystemParams ShellElements=NotBuilt ShellElementSet=NotBuilt* "
+        "ContactSurface=ContactSurface* "
         "KinematicContact=NotBuilt* ReducedBasis=NotBuilt"},
     ElementRule{
         "SubModel", "",
@@ -66,6 +67,13 @@ constexpr std::array rules{
         "Table=Value"},
     ElementRule{"Plate", "LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",
                 "a=Value b=Value c=Value Disp=Value SlvNodes=Nodes Table=Value"},
+    ElementRule{"ContactSurface", "",
+                "Nodes=MeshNodes Elements=MeshElements VTKSurface=MeshFile SurfaceFile=MeshFile "
+                "FrictionCoefficient=Value SlaveNodes=Nodes SlvNodes=Nodes Motion=Motion"},
+    ElementRule{
+        "Motion",
+        "Type:Translation,Rotation LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",
+        "Table=Value", true},
     ElementRule{"Output", "Freq", "Variable=Value*"},
     ElementRule{
         "SystemParams", "",

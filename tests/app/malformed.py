@@ -6,6 +6,13 @@ from simulations import box
 
 VALID = box(1)
 
+
+def floor(facets, count=1, more=""):
+    """Five points and facets of a rigid surface below the box, in place of the start of SystemParams."""
+    return ('<ContactSurface><Nodes NumNodes="5"> 0 0 -1  1 0 -1  1 1 -1  0 -1 -1  0 0 -2 </Nodes>'
+            f'<Elements NumEls="{count}" Type="T3"> {facets} </Elements>{more}</ContactSurface><SystemParams>')
+
+
 # (name, what is replaced in the valid file, by what)
 REPLACED = [
     ("root", "<Model units=\"SI\">", "<Modell units=\"SI\">"),
@@ -77,6 +84,10 @@ REPLACED = [
      '<Magnitudes Type="FILE"> no_such_file.txt </Magnitudes></Constraint><SystemParams>'),
     ("shells", "<SystemParams>", '<ShellElements Type="SURFACE"/><SystemParams>'),
     ("contact_surface", "<SystemParams>", "<ContactSurface/><SystemParams>"),
+    ("contact_surface_flat", "<SystemParams>", floor("0 1 1")),
+    ("contact_surface_fin", "<SystemParams>", floor("0 1 2  1 0 3  0 1 4", 3)),
+    ("contact_surface_turned", "<SystemParams>", floor("0 1 2  0 1 3", 2)),
+    ("contact_surface_friction", "<SystemParams>", floor("0 1 2", 1, "<FrictionCoefficient> -0.1 </FrictionCoefficient>")),
     ("reduced_basis", "<SystemParams>", '<ReducedBasis NumVectors="1"/><SystemParams>'),
     ("cylinder_axis", "<SystemParams>", "<ContactCylinder><Origin> 0 0 0 </Origin><Axis> 0 0 0 </Axis><Radius> 1 </Radius>"
      "<Length> 1 </Length><OrigDisp> 0 0 0 </OrigDisp><RadChange> 0 </RadChange></ContactCylinder><SystemParams>"),

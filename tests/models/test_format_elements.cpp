@@ -223,6 +223,30 @@ TEST(FormatContact, BodiesAndTheirMotion) {
   EXPECT_TRUE(model.bodies[2].nodes.empty());  // all surface nodes
 }
 
+TEST(FormatContact, RigidSurfaces) {
+  const auto model =
+      parsed(with("<ContactSurface><Nodes NumNodes=\"4\">0 0 -1 1 0 -1 1 1 -1 0 1 -1</Nodes>"
+                  "<Elements NumEls=\"2\" Type=\"T3\">0 1 2 0 2 3</Elements>"
+                  "<FrictionCoefficient>0.25</FrictionCoefficient><SlaveNodes>0 1 2</SlaveNodes>"
+                  "<Motion Type=\"Rotation\">0 0 1.5 1 2 3</Motion></ContactSurface>"
+                  "<ContactSurface><Nodes NumNodes=\"4\">0 0 -1 1 0 -1 1 1 -1 0 1 -1</Nodes>"
+                  "<Elements NumEls=\"1\" Type=\"Q4\">0 1 2 3</Elements>"
+                  "<Motion Type=\"Translation\" LoadShape=\"POLY345\" EndTime=\"0.5\">0 0 "
+                  "0.1</Motion></ContactSurface>"));
+  ASSERT_EQ(model.surfaces.size(), 2U);
+  EXPECT_EQ(model.surfaces[0].surface.facets.size(), 2U);
+  EXPECT_EQ(model.surfaces[0].friction, 0.25);
+  EXPECT_EQ(model.surfaces[0].nodes, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(model.surfaces[0].angles.z, 1.5);
+  EXPECT_EQ(model.surfaces[0].centre.y, 2);
+  EXPECT_EQ(model.surfaces[0].motion.shape, LoadShape::ramp);
+  EXPECT_EQ(model.surfaces[0].motion.end, 1);
+  EXPECT_EQ(model.surfaces[1].surface.facets[0].node_count(), 4);
+  EXPECT_EQ(model.surfaces[1].displacement.z, 0.1);
+  EXPECT_EQ(model.surfaces[1].motion.shape, LoadShape::poly345);
+  EXPECT_TRUE(model.surfaces[1].nodes.empty());
+}
+
 TEST(FormatTime, EveryElementOfSystemParams) {
   const auto model = parsed(replaced(
       replaced(base_xml, "<Model>", "<Model units=\"SI\">"), "<TimeStep>0.001</TimeStep>",

@@ -11,6 +11,10 @@ struct Bad {
   const char* word;  ///< of the message
 };
 
+#define FLOOR(elements, more)                                                                    \
+  "<ContactSurface><Nodes NumNodes=\"4\">0 0 -1 1 0 -1 1 1 -1 0 1 -1</Nodes><Elements " elements \
+  "</Elements>" more "</ContactSurface><SystemParams>"
+
 const Bad bad_files[] = {
     // XML
     {"<Model>", "<Model", 2, "XML"},
@@ -136,8 +140,17 @@ const Bad bad_files[] = {
     {"<DampingCoeff>", "<DoSelfCollision>1</DoSelfCollision><DampingCoeff>", 26, "not supported yet"},
     {"<SystemParams>", "<ShellElements Type=\"SURFACE\"/><SystemParams>", 23,
      "<ShellElements>: this feature is not supported yet"},
-    {"<SystemParams>", "<ContactSurface/><SystemParams>", 23,
-     "<ContactSurface>: this feature is not supported yet"},
+    // rigid surfaces
+    {"<SystemParams>", "<ContactSurface/><SystemParams>", 23, "<Nodes> is missing"},
+    {"<SystemParams>",
+     FLOOR("NumEls=\"1\" Type=\"T3\">0 1 2", "<FrictionCoefficient>-1</FrictionCoefficient>"), 23,
+     "must not be negative"},
+    {"<SystemParams>", FLOOR("NumEls=\"1\" Type=\"T3\">0 1 4", ""), 23, "node 4"},
+    {"<SystemParams>", FLOOR("NumEls=\"2\" Type=\"T3\">0 1 2", ""), 23, "NumEls"},
+    {"<SystemParams>", FLOOR("NumEls=\"1\" Type=\"T6\">0 1 2", ""), 23, "T3 or Q4"},
+    {"<SystemParams>", FLOOR("NumEls=\"1\" Type=\"T3\">0 1 2", "<Motion Type=\"Rotation\">1 2 3</Motion>"),
+     23, "6"},
+    {"<SystemParams>", FLOOR("NumEls=\"1\" Type=\"T3\">0 1 2", "<SlaveNodes>8</SlaveNodes>"), 23, "8"},
     {"<SystemParams>", "<KinematicContact/><SystemParams>", 23, "not supported yet"},
     {"<SystemParams>", "<ReducedBasis NumVectors=\"3\"/><SystemParams>", 23, "not supported yet"},
     // bodies, sub-models, output

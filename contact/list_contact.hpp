@@ -1,0 +1,146 @@
+// What all contact of listed nodes with something rigid shares: the list, the work, the report and the
+// restart.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <glisson/core/loads/list_forces.hpp>
+#include <glisson/core/loads/node_list.hpp>
+
+namespace glisson::contact {
+
+/// State of a contact pair at the last step of a run with energies.
+struct ContactReport {
+  double depth = 0;          ///< largest penetration of the nodes [m]
+  double largest_depth = 0;  ///< the same over the run [m]
+  int node_count = 0;        ///< nodes that were pushed
+  Vec3<double> force;        ///< of the body on the nodes [N]
+};
+/// What reports contact; every provider of make_rigid_bodies does (dynamic_cast).
+class ContactSource {
+ public:
+  virtual ~ContactSource() = default;
+  virtual ContactReport report() const = 0;
+};
+
+/// Part of a report from one chunk of nodes.
+struct ContactPart {
+  double depth = 0, largest_depth = 0;
+  int node_count = 0;
+  Vec3<double> force;
+};
+/// Rule: penetration(i, n).depth and force(i, n).
+template <class R, class Rule>
+struct CollectReport {
+  Rule now;          ///< body and nodes at t
+  Rule next;         ///< as predicted for t + dt
+  const int* nodes;  ///< [entry_count]
+  int entry_count;
+  ContactPart* parts;  ///< [ceil(entry_count / entries_per_sum)]
+
+  GLISSON_HD void operator()(int c) const {
+    const int end = entry_count < (c + 1) * entries_per_sum ? entry_count : (c + 1) * entries_per_sum;
+    ContactPart part;
+    part.largest_depth = parts[c].largest_depth;
+    for (int i = c * entries_per_sum; i < end; ++i) {
+      const double depth = double(now.penetration(i, nodes[i]).depth);
+      if (depth > part.depth) part.depth = depth;
+      const Vec3<R> f = next.force(i, nodes[i]);
+      part.force = part.force + Vec3<double>{double(f.x), double(f.y), double(f.z)};
+      part.node_count += f.x != R(0) || f.y != R(0) || f.z != R(0);
+    }
+    if (part.depth > part.largest_depth) part.largest_depth = part.depth;
+    parts[c] = part;
+  }
+};
+
+template <Backend B, class R>
+class ListContact : public ForceProvider<R>, public ContactSource {
+ public:
+  std::string_view name() const override { return name_; }
+  Space space() const override { return B::space; }
+  bool needs_prediction() const override { return true; }
+  double work() const override { return work_.total(); }
+  ContactReport report() const override {
+    std::vector<ContactPart> parts(std::size_t(work_.chunk_count()));
+    if (!parts.empty()) backend_.copy_out(parts_.get(), parts.data(), parts.size());
+    ContactReport sum;
+    for (const ContactPart& part : parts) {
+      sum.depth = std::max(sum.depth, part.depth);
+      sum.largest_depth = std::max(sum.largest_depth, part.largest_depth);
+      sum.node_count += part.node_count;
+      sum.force = sum.force + part.force;
+    }
+    return sum;
+  }
+  std::vector<std::byte> save() const override {
+    detail::ByteWriter out;
+    out.buffer(backend_, last_, std::size_t(count_))
+        .buffer(backend_, parts_, std::size_t(work_.chunk_count()));
+    work_.save(out);
+    return out.take();
+  }
+  void load(std::span<const std::byte> bytes) override {
+    detail::ByteReader in(bytes, name_);
+    in.buffer(backend_, last_, std::size_t(count_));
+    in.buffer(backend_, parts_, std::size_t(work_.chunk_count()));
+    work_.load(in);
+    in.end();
+  }
+
+ protected:
+  using Entries = std::map<int, Vec4<R>>;
+  /// Rest positions relative to a point, by internal node.
+  static Entries entries_of(const std::vector<int>& nodes, const Vec3<double>& reference, const Mesh& mesh,
+                            const Numbering& numbering) {
+    return detail::by_node<Vec4<R>>(
+        numbering, nodes,
+        [&](std::size_t k) { return detail::narrow<R>(mesh.X[std::size_t(nodes[k])] - reference); },
+        [](Vec4<R>&, const Vec4<R>&) {});
+  }
+  ListContact(B& backend, std::string name, const Entries& entries)
+      : backend_(backend),
+        name_(std::move(name)),
+        count_(static_cast<int>(entries.size())),
+        nodes_(detail::upload(backend, detail::keys(entries))),
+        X_(detail::upload(backend, values(entries))),
+        last_(detail::zeros<Vec4<R>>(backend, entries.size())),
+        work_(backend, count_),
+        parts_(detail::zeros<ContactPart>(backend, std::size_t(work_.chunk_count()))) {}
+
+  /// A caller that leaves t_next at 0 means t + dt.
+  static double end_of(const StepView<R>& step) {
+    return step.t_next >= step.t ? step.t_next : step.t + step.dt;
+  }
+  /// Adds next's forces; counts work and collects the report where the step asks for it.
+  template <class Rule>
+  void touch(const StepView<R>& step, const Rule& now, const Rule& next) {
+    if (work_.counts(step))
+      backend_.for_each(work_.chunk_count(),
+                        CollectReport<R, Rule>{now, next, nodes_.get(), count_, parts_.get()});
+    work_.run(step, nodes_.get(), next);
+  }
+  int count() const { return count_; }
+  const Vec4<R>* X() const { return X_.get(); }
+  Vec4<R>* last() const { return last_.get(); }
+
+ private:
+  static std::vector<Vec4<R>> values(const Entries& entries) {
+    std::vector<Vec4<R>> result;
+    for (const auto& [node, value] : entries) result.push_back(value);
+    return result;
+  }
+
+  B& backend_;
+  std::string name_;
+  int count_;
+  Buffer<int> nodes_;
+  Buffer<Vec4<R>> X_, last_;
+  ListWork<B, R> work_;
+  Buffer<ContactPart> parts_;
+};
+
+}  // namespace glisson::contact

@@ -1,0 +1,25 @@
+// All rigid surfaces of a model as contact providers of a backend. Include it only where a backend is
+// instantiated.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <glisson/contact/surface/surface_contact.hpp>
+
+namespace glisson::contact {
+
+/// Appends them; the backend must outlive them. Throws Error(input) when nodes start behind a surface.
+template <Backend B, class R>
+void add_rigid_surfaces(B& backend, const Model& model, const Numbering& numbering,
+                        std::vector<std::unique_ptr<ForceProvider<R>>>& to) {
+  for (const RigidSurface& surface : model.surfaces) {
+    const std::vector<int> nodes = candidate_nodes(surface.nodes, model.mesh);
+    const SurfaceData data = surface_data(surface.surface, surface.centre);
+    refuse_overlap(surface, data, nodes, model.mesh);
+    to.push_back(
+        std::make_unique<SurfaceContact<B, R>>(backend, surface, data, nodes, model.mesh, numbering));
+  }
+}
+
+}  // namespace glisson::contact

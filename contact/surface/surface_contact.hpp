@@ -1,0 +1,125 @@
+// Contact of nodes with a rigid surface mesh, with Coulomb friction: the explicit Lagrange multiplier of
+// Johnsen 2016, eq. 5.13, with all of the gap on the node (beta_s = 1), and eq. 5.24-5.25.
+#pragma once
+
+#include <glisson/contact/analytic/rigid_motion.hpp>
+#include <glisson/contact/list_contact.hpp>
+#include <glisson/contact/surface/surface_data.hpp>
+
+namespace glisson::contact {
+
+/// All in the surface's frame, where it stands still: a node comes from q0 and would end the step at q1.
+template <class R>
+struct SurfaceForce : LastForces<R> {
+  SurfaceShape<R> shape;
+  Mat3<R> turn;         ///< of the surface at the end of the step
+  Mat3<R> turned;       ///< turn less that at its beginning
+  Vec3<R> shift;        ///< at the beginning [m]
+  Vec3<R> shifted;      ///< during the step [m]
+  const Vec4<R>* X;     ///< rest position relative to the centre of rotation [m]  [entry_count]
+  const Vec4<R>* from;  ///< displacement at the beginning [m]                     [node_count]
+  const Vec4<R>* to;    ///< and, as predicted, at the end [m]                     [node_count]
+  const Vec4<R>* v;     ///< w: 1/mass [1/kg]                                      [node_count]
+  R advance_per_force;  ///< [s^2]
+  R friction;           ///< [-]
+
+  /// Motion relative to the surface. Differences come first, so that float keeps a slow slip.
+  GLISSON_HD Vec3<R> slip(int i, int n) const {
+    const Vec3<R> before = xyz(X[i]) + xyz(from[n]) - shift;
+    return transposed_times(turn, xyz(to[n]) - xyz(from[n]) - shifted) + transposed_times(turned, before);
+  }
+  GLISSON_HD Penetration<R> penetration(int i, int n, const Vec3<R>& slipped) const {
+    const Vec3<R> q = transposed_times(turn, xyz(X[i]) + xyz(to[n]) - shift - shifted);
+    return shape(q - slipped, q);
+  }
+  GLISSON_HD Penetration<R> penetration(int i, int n) const { return penetration(i, n, slip(i, n)); }
+  GLISSON_HD Vec3<R> force(int i, int n) const {
+    const R mobility = advance_per_force * v[n].w;
+    if (!(mobility > R(0))) return {};
+    const Vec3<R> path = slip(i, n);
+    const Penetration<R> p = penetration(i, n, path);
+    if (!(p.depth > R(0))) return {};
+    const Vec3<R> aside = path - dot(path, p.out) * p.out;
+    const R length = square_root(dot(aside, aside));
+    const R most = friction * p.depth;  // both forces divide by the mobility
+    const R share = length > most ? most / length : (friction > R(0) ? R(1) : R(0));
+    return (R(1) / mobility) * times(turn, p.depth * p.out - share * aside);
+  }
+};
+
+template <class R>
+Mat3<R> narrowed(const Mat3<double>& a) {
+  Mat3<R> result;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) result.m[i][k] = R(a.m[i][k]);
+  return result;
+}
+
+template <Backend B, class R>
+class SurfaceContact final : public ListContact<B, R> {
+ public:
+  SurfaceContact(B& backend, const RigidSurface& surface, const SurfaceData& data,
+                 const std::vector<int>& nodes, const Mesh& mesh, const Numbering& numbering)
+      : ListContact<B, R>(backend, surface.name,
+                          ListContact<B, R>::entries_of(nodes, surface.centre, mesh, numbering)),
+        surface_(surface),
+        reach_(R(data.reach)),
+        node_count_(static_cast<int>(data.nodes.size())),
+        nodes_(detail::upload(backend, nodes_of_tree(data))),
+        facets_(detail::upload(backend, facets_of_surface(data))) {}
+
+  void add_forces(const StepView<R>& step) override {
+    if (this->count() == 0) return;
+    this->touch(step, rule(step, step.t, step.t, step.u),
+                rule(step, step.t, this->end_of(step), step.u_predicted));
+  }
+
+ private:
+  static std::vector<SurfaceNode<R>> nodes_of_tree(const SurfaceData& data) {
+    std::vector<SurfaceNode<R>> result;
+    for (const auto& n : data.nodes)
+      result.push_back({narrowed<R>(n.low), narrowed<R>(n.high), n.skip, n.facet});
+    return result;
+  }
+  static std::vector<SurfaceFacet<R>> facets_of_surface(const SurfaceData& data) {
+    std::vector<SurfaceFacet<R>> result(data.facets.size());
+    for (std::size_t f = 0; f < result.size(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        const SurfaceFacet<double>& from = data.facets[f];
+        result[f].smooth.x[k] = narrowed<R>(from.smooth.x[k]);
+        result[f].smooth.n[k] = narrowed<R>(from.smooth.n[k]);
+        result[f].edge_normal[k] = narrowed<R>(from.edge_normal[k]);
+        result[f].border_edge[k] = from.border_edge[k];
+        result[f].border_corner[k] = from.border_corner[k];
+      }
+    return result;
+  }
+  SurfaceForce<R> rule(const StepView<R>& step, double t, double t_end, const Vec4<R>* to) const {
+    const SurfacePose begin = pose_at(surface_, t), end = pose_at(surface_, t_end);
+    Mat3<double> turned;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) turned.m[i][k] = end.turn.m[i][k] - begin.turn.m[i][k];
+    SurfaceForce<R> rule;
+    rule.last = this->last();
+    rule.shape = {nodes_.get(), facets_.get(), node_count_, reach_};
+    rule.turn = narrowed<R>(end.turn);
+    rule.turned = narrowed<R>(turned);
+    rule.shift = narrowed<R>(begin.shift);
+    rule.shifted = narrowed<R>(end.shift - begin.shift);
+    rule.X = this->X();
+    rule.from = step.u;
+    rule.to = to;
+    rule.v = step.v;
+    rule.advance_per_force = step.advance_per_force;
+    rule.friction = R(surface_.friction);
+    return rule;
+  }
+
+  RigidSurface surface_;
+  R reach_;
+  int node_count_;
+  Buffer<SurfaceNode<R>> nodes_;
+  Buffer<SurfaceFacet<R>> facets_;
+};
+
+}  // namespace glisson::contact

@@ -1,0 +1,96 @@
+// ContactSurface: a rigid surface mesh, inline or from a file, that stands or moves.
+#include <glisson/models/format/reader.hpp>
+
+#include <glisson/core/mesh/surface.hpp>
+
+namespace glisson::detail {
+namespace {
+
+std::vector<Facet> read_facets(const XmlElement& element, int node_count) {
+  const std::string& type = element.required_attribute("Type");
+  if (type != "T3" && type != "Q4")
+    element.fail("Type=\"" + type + "\" is not one of a surface; use T3 or Q4");
+  element.required_attribute("NumEls");
+  const auto corners = static_cast<std::size_t>(type == "T3" ? 3 : 4);
+  const auto entries = element.integers();
+  const auto count = static_cast<std::int64_t>(*element.integer_attribute("NumEls"));
+  if (count <= 0 || static_cast<std::int64_t>(entries.size()) != count * static_cast<std::int64_t>(corners))
+    element.fail("it holds " + std::to_string(entries.size()) + " numbers, but NumEls=\"" +
+                 std::to_string(count) + "\" facets need " +
+                 std::to_string(count * static_cast<std::int64_t>(corners)));
+  std::vector<Facet> facets;
+  for (std::size_t i = 0; i < entries.size(); i += corners) {
+    Facet facet;
+    for (std::size_t a = 0; a < corners; ++a) {
+      const int n = entries[i + a];
+      if (n < 0 || n >= node_count)
+        element.fail("facet " + std::to_string(i / corners) + " uses node " + std::to_string(n) +
+                     ", but there are only nodes 0 to " + std::to_string(node_count - 1));
+      facet.nodes[a] = n;
+    }
+    facets.push_back(facet);
+  }
+  return facets;
+}
+
+SurfaceMesh read_surface(const Reader& reader, const XmlElement& element) {
+  for (const auto name : {"SurfaceFile", "VTKSurface"})
+    if (const auto file = element.child(name)) {
+      if (const auto other = element.child("Nodes"))
+        other->fail("a second geometry: <" + std::string(name) + "> is there too; keep one of them");
+      SurfaceMesh surface = surface_from_file(reader, *file);
+      transform_as_told(*file, surface.X);
+      return surface;
+    }
+  SurfaceMesh surface;
+  surface.X = read_positions(element.required_child("Nodes"));
+  surface.facets = read_facets(element.required_child("Elements"), static_cast<int>(surface.X.size()));
+  return surface;
+}
+
+/// SlaveNodes counts the nodes of the outer surface in rising order, as NiftySim does; SlvNodes those of the
+/// mesh.
+std::vector<int> read_slaves(const XmlElement& element, const Mesh& mesh) {
+  std::vector<int> nodes;
+  if (const auto slaves = element.child("SlaveNodes")) {
+    const auto surface = nodes_of(outer_surface(mesh));
+    for (const int i : index_list(*slaves, slaves->integer_attribute("NumNodes"),
+                                  static_cast<int>(surface.size()), "surface nodes"))
+      nodes.push_back(surface[static_cast<std::size_t>(i)]);
+  }
+  if (const auto slaves = element.child("SlvNodes"))
+    for (const int n : index_list(*slaves, slaves->integer_attribute("NumNodes"), mesh.node_count(), "nodes"))
+      nodes.push_back(n);
+  return nodes;
+}
+
+void read_motion(const Reader& reader, const XmlElement& motion, RigidSurface& surface) {
+  surface.motion = read_curve(reader, motion, "LoadShape", "Table", LoadShape::ramp);
+  if (motion.required_attribute("Type") == "Translation") {
+    surface.displacement = vector_of(motion);
+    return;
+  }
+  const auto v = motion.numbers(6);
+  surface.angles = {v[0], v[1], v[2]};
+  surface.centre = {v[3], v[4], v[5]};
+}
+
+}  // namespace
+
+void read_contact_surfaces(const Reader& reader, const XmlElement& model, Part& part) {
+  for (const auto& element : model.children) {
+    if (!element.is("ContactSurface")) continue;
+    RigidSurface surface;
+    surface.name = "ContactSurface at line " + std::to_string(element.line);
+    surface.surface = read_surface(reader, element);
+    if (const auto friction = element.child("FrictionCoefficient")) {
+      surface.friction = friction->number();
+      if (surface.friction < 0) friction->fail("it is " + friction->text() + ", but must not be negative");
+    }
+    surface.nodes = read_slaves(element, part.model.mesh);
+    if (const auto motion = element.child("Motion")) read_motion(reader, *motion, surface);
+    part.model.surfaces.push_back(std::move(surface));
+  }
+}
+
+}  // namespace glisson::detail

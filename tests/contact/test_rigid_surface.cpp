@@ -1,0 +1,222 @@
+// Rigid surface meshes: nodes end each step in front of them, friction, no tunnelling, motion, restart.
+#include <glisson/contact/surface/rigid_surfaces.hpp>
+
+#include <cmath>
+
+#include <glisson/core/mesh/box_mesh.hpp>
+#include <glisson/core/mesh/surface.hpp>
+
+#include "tests/contact/surfaces.hpp"
+#include "tests/core/load_bench.hpp"
+
+namespace glisson::contact {
+namespace {
+
+template <class C>
+struct RigidSurfaces : ::testing::Test {};
+TYPED_TEST_SUITE(RigidSurfaces, BenchCases);
+
+RigidSurface surface_of(const TriangleSurface& s) {
+  RigidSurface surface;
+  surface.name = "test surface";
+  surface.surface.X = s.x;
+  for (const Triangle& t : s.triangles) surface.surface.facets.push_back({{t[0], t[1], t[2], -1}});
+  return surface;
+}
+/// Square [0, 4]^2 at z = 0 of 2 n^2 triangles, front along +z, turned about y by this angle.
+RigidSurface floor_of(int n = 4, double slope = 0) {
+  TriangleSurface s;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) {
+      const double x = 4.0 * i / n, y = 4.0 * j / n;
+      s.x.push_back({x * std::cos(slope), y, -x * std::sin(slope)});
+    }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const int a = i * (n + 1) + j, b = a + n + 1;
+      s.triangles.push_back({a, b, b + 1});
+      s.triangles.push_back({a, b + 1, a + 1});
+    }
+  return surface_of(s);
+}
+void listen_to(RigidSurface& surface, int node_count) {
+  for (int n = 0; n < node_count; ++n) surface.nodes.push_back(n);
+}
+
+/// Free masses under gravity with the surfaces of the model.
+template <class C>
+struct Scene {
+  using R = RealOf<C>;
+  Scene(std::vector<Vec3<double>> X, RigidSurface surface, double mass = 1) : bench(int(X.size()), mass) {
+    model.mesh.X = std::move(X);
+    listen_to(surface, model.mesh.node_count());
+    model.surfaces = {surface};
+    add_rigid_surfaces<BackendOf<C>, R>(bench.backend, model, bench.numbering, bodies);
+  }
+  void step(double dt) {
+    const double kick = bench.step_count == 0 ? 0.5 * dt : dt, t = double(bench.step_count) * dt;
+    StepView<R> view = bench.view(t, dt);
+    view.t_next = double(bench.step_count + 1) * dt;
+    view.advance_per_force = R(dt * kick);
+    auto predicted = bench.u;
+    for (std::size_t n = 0; n < predicted.size(); ++n)
+      predicted[n] = predicted[n] + dt * (bench.v[n] + kick * gravity);
+    bench.put(predicted, bench.predicted(), false);
+    view.u_predicted = bench.predicted();
+    bench.f.assign(bench.f.size(), {});
+    for (auto& body : bodies) bench.forces(*body, view);
+    for (std::size_t n = 0; n < bench.f.size(); ++n) bench.f[n] = bench.f[n] + bench.masses[n] * gravity;
+    bench.advance(dt);
+  }
+  Vec3<double> position(int n) const { return model.mesh.X[std::size_t(n)] + bench.u[std::size_t(n)]; }
+  ContactReport report() const { return dynamic_cast<const ContactSource&>(*bodies[0]).report(); }
+
+  Model model;
+  Bench<C> bench;
+  std::vector<std::unique_ptr<ForceProvider<R>>> bodies;
+  Vec3<double> gravity;
+};
+
+TYPED_TEST(RigidSurfaces, NodesFallOnAFloorAndStayOnIt) {
+  Scene<TypeParam> scene({{1, 1, 0.3}, {2, 2, 0.1}, {3.3, 1.7, 0}, {5, 1, 0.1}, {1, 1, -3}}, floor_of());
+  scene.gravity = {0, 0, -10};
+  for (int n = 0; n < 100; ++n) scene.step(0.01);
+  const double eps = 20 * scene.bench.tolerance();
+  for (const int n : {0, 1, 2}) EXPECT_NEAR(scene.position(n).z, 0, eps) << n;
+  for (const int n : {3, 4}) EXPECT_LT(scene.position(n).z, -4) << "beside and far below the floor";
+  EXPECT_EQ(scene.report().node_count, 3);
+  expect_near(scene.report().force, {0, 0, 30}, 5000 * scene.bench.tolerance());
+}
+
+TYPED_TEST(RigidSurfaces, ANodeSlipsOnASlopeExactlyAboveItsFrictionAngle) {
+  const double slope = 0.4, tangent = std::tan(slope), length = 0.5;
+  const Vec3<double> start{length * std::cos(slope), 1.3, -length * std::sin(slope)};
+  for (const double mu : {1.001 * tangent, 0.999 * tangent, 0.5 * tangent}) {
+    RigidSurface floor = floor_of(4, slope);
+    floor.friction = mu;
+    Scene<TypeParam> scene({start}, floor);
+    scene.gravity = {0, 0, -10};
+    const double dt = 0.005;
+    const int steps = 100;
+    for (int n = 0; n < steps; ++n) scene.step(dt);
+    const Vec3<double> gone = scene.bench.u[0];
+    const double slipped = gone.x * std::cos(slope) - gone.z * std::sin(slope), t = steps * dt;
+    const double expected = mu > tangent ? 0 : 5 * (std::sin(slope) - mu * std::cos(slope)) * t * t;
+    EXPECT_NEAR(slipped, expected, 0.002 * expected + 20 * scene.bench.tolerance()) << mu;
+    EXPECT_NEAR(gone.x * std::sin(slope) + gone.z * std::cos(slope), 0, 20 * scene.bench.tolerance());
+  }
+}
+
+TYPED_TEST(RigidSurfaces, ASlidingNodeStopsAfterItsStoppingDistance) {
+  RigidSurface floor = floor_of();
+  floor.friction = 0.3;
+  Scene<TypeParam> scene({{0.5, 1.3, 0}}, floor, 2.5);
+  scene.gravity = {0, 0, -10};
+  scene.bench.v[0] = {3, 0, 0};
+  for (int n = 0; n < 1200; ++n) scene.step(0.001);
+  EXPECT_NEAR(scene.bench.u[0].x, 3 * 3 / (2 * 0.3 * 10.0), 0.01 * 1.5);
+  const double at_rest = scene.bench.u[0].x;
+  for (int n = 0; n < 100; ++n) scene.step(0.001);
+  EXPECT_NEAR(scene.bench.u[0].x, at_rest, 20 * scene.bench.tolerance());
+}
+
+/// Through a thin closed body in one step, 40 to 80 of its thicknesses far: stopped at the face that it
+/// entered.
+TYPED_TEST(RigidSurfaces, AFastNodeDoesNotTunnel) {
+  const Mesh slab = box_mesh({4, 4, 1}, {4, 4, 0.1}, Shape::hexahedron, 0);
+  RigidSurface surface;
+  surface.surface = {slab.X, outer_surface(slab)};
+  Scene<TypeParam> scene({{1.01, 2.02, 1.5}, {3, 1, 4}, {1, 1, -1.3}}, surface);
+  scene.bench.v = {{0, 0, -40}, {0, 0, -80}, {0, 0, 30}};
+  for (int n = 0; n < 3; ++n) scene.step(0.1);
+  const double eps = 50 * scene.bench.tolerance();
+  EXPECT_NEAR(scene.position(0).z, 0.1, eps);
+  EXPECT_NEAR(scene.position(1).z, 0.1, eps);
+  EXPECT_NEAR(scene.position(2).z, 0, eps);
+}
+
+TYPED_TEST(RigidSurfaces, AMovingSurfaceTakesNodesAlong) {
+  RigidSurface turning = floor_of();
+  turning.friction = 100;
+  turning.angles = {0, 0, 1};
+  turning.centre = {2, 2, 0};
+  Scene<TypeParam> scene({{3, 2, 0}, {2, 3, 0}}, turning);
+  scene.gravity = {0, 0, -1000};
+  for (int n = 0; n < 100; ++n) scene.step(0.01);
+  const double eps = 3e3 * scene.bench.tolerance() + 1e-4;
+  expect_near(scene.position(0), {2 + std::cos(1.0), 2 + std::sin(1.0), 0}, eps);
+  expect_near(scene.position(1), {2 - std::sin(1.0), 2 + std::cos(1.0), 0}, eps);
+
+  RigidSurface rising = floor_of();
+  rising.displacement = {0, 0, 0.5};
+  Scene<TypeParam> lift({{1, 1, 0.1}}, rising);
+  for (int n = 0; n < 100; ++n) lift.step(0.01);
+  EXPECT_NEAR(lift.position(0).z, 0.5, 20 * lift.bench.tolerance());
+  EXPECT_NEAR(lift.bench.v[0].z, 0.5, 2000 * lift.bench.tolerance());
+}
+
+TYPED_TEST(RigidSurfaces, WorkIsTheEnergyOfTheNodes) {
+  RigidSurface rough = floor_of();
+  rough.friction = 0.2;
+  rough.displacement = {0.3, 0, 0.5};
+  Scene<TypeParam> scene({{1, 1, 0.1}, {2, 1.5, 0.2}}, rough, 2);
+  scene.bench.v[1] = {0.5, 0, -1};
+  const double start = 1.25;
+  for (int n = 0; n < 20; ++n) {
+    const auto before = scene.bench.v;
+    scene.step(0.05);
+    double kinetic = 0;
+    for (std::size_t k = 0; k < 2; ++k) kinetic += dot(before[k], scene.bench.v[k]);
+    EXPECT_NEAR(scene.bodies[0]->work(), kinetic - start, 50 * scene.bench.tolerance()) << n;
+  }
+}
+
+TYPED_TEST(RigidSurfaces, RestartGivesTheSameBits) {
+  RigidSurface rough = floor_of();
+  rough.friction = 0.2;
+  rough.displacement = {0.3, 0, 0.5};
+  const std::vector<Vec3<double>> X{{1, 1, 0.1}, {2, 1.5, 0.2}, {3, 3, 0.05}};
+  Scene<TypeParam> whole(X, rough), first(X, rough), second(X, rough);
+  for (int n = 0; n < 20; ++n) whole.step(0.05);
+  for (int n = 0; n < 11; ++n) first.step(0.05);
+  second.bodies[0]->load(first.bodies[0]->save());
+  second.bench.u = first.bench.u, second.bench.v = first.bench.v, second.bench.step_count = 11;
+  for (int n = 11; n < 20; ++n) second.step(0.05);
+  for (std::size_t n = 0; n < 3; ++n) expect_near(second.bench.u[n], whole.bench.u[n], 0);
+  EXPECT_EQ(second.bodies[0]->save(), whole.bodies[0]->save());
+}
+
+/// Around a whole sphere the signed distance has the right sign and size, in cavities too.
+TEST(SurfaceShapes, TellInsideFromOutsideEverywhere) {
+  const auto data = surface_data(surface_of(sphere({}, 1, 24, 32)).surface, {});
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3<double> d = unit_or(Vec3<double>{normal(random), normal(random), normal(random)}, {});
+    const double facet_sag = 0.02;  // how far the faces lie inside of the sphere
+    for (const double r : {0.9, 0.95, 1.0001, 1.1}) {
+      const auto p = data.shape()(r * d, r * d);
+      if (r > 1)
+        EXPECT_EQ(p.depth, 0);
+      else
+        EXPECT_NEAR(p.depth, 1 - r, facet_sag);
+    }
+  }
+}
+
+TEST(SurfaceShapes, NodesThatStartBehindAreRefused) {
+  Model model;
+  model.mesh.X = {{1, 1, 0}, {1, 2, -0.2}};
+  RigidSurface floor = floor_of();
+  const auto data = surface_data(floor.surface, {});
+  EXPECT_NO_THROW(refuse_overlap(floor, data, {0}, model.mesh));
+  try {
+    refuse_overlap(floor, data, {0, 1}, model.mesh);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("node 1 starts 0.2 behind"), std::string::npos) << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace glisson::contact
