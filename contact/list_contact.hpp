@@ -29,7 +29,7 @@ class ContactSource {
 /// Part of a report from one chunk of nodes.
 struct ContactPart {
   double depth = 0, largest_depth = 0;
-  int node_count = 0;
+  std::int64_t node_count = 0;  ///< not int: saved as bytes, where padding would be random
   Vec3<double> force;
 };
 /// Rule: penetration(i, n).depth and force(i, n).
@@ -71,7 +71,7 @@ class ListContact : public ForceProvider<R>, public ContactSource {
     for (const ContactPart& part : parts) {
       sum.depth = std::max(sum.depth, part.depth);
       sum.largest_depth = std::max(sum.largest_depth, part.largest_depth);
-      sum.node_count += part.node_count;
+      sum.node_count += static_cast<int>(part.node_count);
       sum.force = sum.force + part.force;
     }
     return sum;
