@@ -60,6 +60,7 @@ void add_run(CLI::App& app, Action& action) {
   auto* peer = command->add_option_group("Options of NiftySim, accepted with one dash too");
   peer->add_flag("-v", *verbose, "print more");
   peer->add_flag("-t", a->execution_time, "print the execution time");
+  peer->add_flag("--plot", a->plot, "show the end in a window");
   peer->add_flag("--sport", *sport, "run on the GPU: --device cuda");
   peer->add_option("--print", a->print, "NF, LNF, LNFS, ND, ES or EK after the run; repeatable")
       ->check(CLI::IsMember({"NF", "LNF", "LNFS", "ND", "ES", "EK"}))
@@ -130,6 +131,34 @@ void add_bench(CLI::App& app, Action& action) {
   command->callback([=, &action] { action = [a] { return bench(*a); }; });
 }
 
+/// Options are handed on as "--name=value"; viz::request_of reads them.
+void add_drawing(CLI::App& app, Action& action, const std::string& name, const char* description) {
+  auto* command = app.add_subcommand(name, description);
+  auto a = std::make_shared<std::vector<std::string>>(std::vector<std::string>{name, ""});
+  command->add_option("results", (*a)[1], ".pvd of a run, or a .vtu, .vtp or .vtk file")->required();
+  const auto text = [&](const char* names, const std::string& option, const char* help) {
+    const auto keep = [a, option](const std::string& value) { a->push_back(option + "=" + value); };
+    return command->add_option_function<std::string>(names, keep, help);
+  };
+  const auto flag = [&](const std::string& option, const char* help) {
+    command->add_flag_callback(
+        option, [a, option] { a->push_back(option); }, help);
+  };
+  if (name == "picture") text("-o,--output", "--output", "file, .png")->required();
+  text("--field", "--field", "displacement, velocity, stress, strain, J, label, ... or NAME:COMPONENT");
+  text("--step", "--step", "number of the snapshot; negative from the end (default -1)");
+  text("--scale", "--scale", "of the displacements (default 1)");
+  text("--cut", "--cut", "plane: x=0.12, y=50% or nx,ny,nz@px,py,pz; the side of the eye is removed");
+  text("--view", "--view", "oblique, front, back, left, right, top, bottom or x,y,z to the eye");
+  text("--size", "--size", "WIDTHxHEIGHT in pixels (default 1200x900)");
+  text("--model", "--model", "simulation file, for rigid bodies and loads (default: as in summary.json)");
+  flag("--undeformed", "also the shape at rest");
+  flag("--edges", "edges of the elements");
+  flag("--loads", "marks for fixed nodes, prescribed motion, forces and pressure");
+  if (name == "view") text("--seconds", "--seconds", "close the window after this time");
+  command->callback([=, &action] { action = [a] { return picture(*a); }; });
+}
+
 void add_small(CLI::App& app, Action& action) {
   auto file = std::make_shared<std::string>();
   auto* command = app.add_subcommand("info", "Describe a simulation file, a mesh or a label image");
@@ -178,11 +207,13 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error,
 }  // namespace
 
 std::vector<std::string> with_own_names(std::vector<std::string> arguments) {
-  const std::map<std::string, std::string> long_names{
-      {"-sport", "--sport"}, {"-print", "--print"}, {"-output-prefix", "--output-prefix"}};
+  const std::map<std::string, std::string> long_names{{"-sport", "--sport"},
+                                                      {"-plot", "--plot"},
+                                                      {"-print", "--print"},
+                                                      {"-output-prefix", "--output-prefix"}};
   for (auto& argument : arguments)
     if (const auto found = long_names.find(argument); found != long_names.end()) argument = found->second;
-  const std::vector<std::string> peer{"-x", "-v", "-t", "--sport", "--print", "--output-prefix"};
+  const std::vector<std::string> peer{"-x", "-v", "-t", "--sport", "--plot", "--print", "--output-prefix"};
   if (!arguments.empty() && std::find(peer.begin(), peer.end(), arguments.front()) != peer.end())
     arguments.insert(arguments.begin(), "run");
   return arguments;
@@ -199,6 +230,8 @@ int parse_and_run(int argc, const char* const* argv) {
   add_mesh(app, action);
   add_convert(app, action);
   add_bench(app, action);
+  add_drawing(app, action, "picture", "Draw results to a PNG file");
+  add_drawing(app, action, "view", "Show results in a window");
   add_small(app, action);
   const auto arguments = with_own_names({argv + 1, argv + argc});
   auto reversed = arguments;

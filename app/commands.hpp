@@ -10,7 +10,8 @@
 
 namespace glisson::app {
 
-/// 0 done, then the values of ErrorKind: 1 run failed, 2 usage, 3 bad input, 4 no such device; 130
+/// 0 done, then the values of ErrorKind: 1 run failed, 2 usage, 3 bad input, 4 no such device,
+/// no display or no VTK; 130
 /// interrupted.
 constexpr int exit_done = 0, exit_interrupted = 130;
 
@@ -19,6 +20,7 @@ struct RunArguments {
   SimulationOptions simulation;
   std::string table;  ///< of an ensemble's parameters; empty: a single run
   bool resume = false, lenient = false, quiet = false, execution_time = false;
+  bool plot = false;  ///< a window with the end
   LogLevel log_level = LogLevel::info;
   double checkpoint_minutes = 10;
   std::vector<std::string> print;  ///< NF LNF LNFS ND ES EK
@@ -53,6 +55,13 @@ struct ConvertArguments {
   double scale = 1;
 };
 int convert(const ConvertArguments& arguments);
+
+/// "picture" or "view", the results, and "--name=value" as viz::request_of reads them. Error(device) without
+/// VTK or a display.
+int picture(const std::vector<std::string>& arguments);
+
+/// The window after run --plot; without one, a warning: the results are there all the same.
+void show_end(const std::string& results);
 
 int devices();
 

@@ -56,6 +56,7 @@ RunnerOptions runner_options(const RunArguments& arguments, const CheckedModel& 
   options.directory = arguments.directory.empty() ? "results/" + input.model.name : arguments.directory;
   options.text_prefix = arguments.text_prefix;
   options.simulation = arguments.simulation;
+  options.model_file = std::filesystem::absolute(arguments.file).string();
   options.resume = arguments.resume;
   options.checkpoint_seconds = 60 * arguments.checkpoint_minutes;
   options.read_seconds = input.seconds;
@@ -95,6 +96,7 @@ int run(const RunArguments& arguments) {
   if (!arguments.quiet && arguments.log_level >= LogLevel::info) print_summary(summary);
   if (arguments.execution_time) fmt::print("Execution time: {:.0f} ms\n", 1e3 * summary.timings.stepping);
   for (const auto& what : arguments.print) print_result(what, input.model, runner.simulation(), summary);
+  if (arguments.plot) show_end(summary.files.front());
   const bool converged =
       summary.report.ending.empty() || summary.report.ending.rfind("not converged", 0) != 0;
   if (converged) return exit_done;

@@ -13,6 +13,7 @@ option(GLISSON_BUILD_FUZZERS "Build the libFuzzer targets (clang)" OFF)
 set(GLISSON_CUDA AUTO CACHE STRING "CUDA backend: ON, OFF, or AUTO (with nvcc and an NVIDIA driver)")
 option(GLISSON_CUDA_NO_SPILLS "Kernels in float that spill registers are errors" OFF)
 set(GLISSON_CUDA_ARCHITECTURES "" CACHE STRING "Such as 90; empty: with AUTO those of this machine, with ON all")
+set(GLISSON_VTK "AUTO" CACHE STRING "glisson picture and view, with VTK >= 9.1: ON, OFF or AUTO")
 option(GLISSON_WERROR "Warnings are errors" OFF)
 set(GLISSON_SANITIZE "" CACHE STRING "Sanitizers: address,undefined or thread")
 

@@ -84,6 +84,7 @@ void Runner::log(LogLevel level, const std::string& line) const {
 
 bool Runner::run() {
   summary_.model = model_.name;
+  summary_.model_file = options_.model_file;
   summary_.units = model_.units;
   summary_.node_count = model_.mesh.node_count();
   summary_.element_count = model_.mesh.element_count();

@@ -28,6 +28,7 @@ struct RunnerOptions {
   std::filesystem::path directory = "results";  ///< made if need be
   std::optional<std::string> text_prefix;       ///< of U.txt and its like; empty: in the directory
   SimulationOptions simulation;
+  std::string model_file;                         ///< that the model was read from, for the summary
   bool resume = false;                            ///< go on from the checkpoint in the directory
   double checkpoint_seconds = 600;                ///< wall time between checkpoints; 0: only when stopped
   double read_seconds = 0;                        ///< that reading the model took, for the summary

@@ -51,6 +51,7 @@ Json as_json(const RunSummary& s) {
   if (!s.message.empty()) j["message"] = s.message;
   j["model"] = {
       {"name", s.model}, {"units", s.units}, {"nodes", s.node_count}, {"elements", s.element_count}};
+  if (!s.model_file.empty()) j["model"]["file"] = s.model_file;
   j["device"] = s.device;
   if (!s.device_choice.empty()) j["device_choice"] = s.device_choice;
   j["time_s"] = s.time;

@@ -64,3 +64,9 @@ fetch_image
 
 echo "== 4/4 simulation"
 "$glisson" run examples/liver/liver.xml -o "$results"
+if [ -x "${glisson%/*}/glisson-viz" ]; then
+  # Without a display and without Xvfb the demo is done all the same.
+  "$glisson" picture "$results/liver.pvd" -o "$results/liver.png" --undeformed && echo "The picture: $results/liver.png"
+else
+  echo "For a picture of it: apt-get install libvtk9-dev xvfb (410 MB), then tools/demo.sh again."
+fi || true

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # All tests: release build with every test and check, examples against the installed package, the same tests under
 # AddressSanitizer with UndefinedBehaviorSanitizer, those with threads under ThreadSanitizer, short fuzz runs.
-# usage: tools/test.sh [--only release|install|cuda|asan|tsan|fuzz]... [--fuzz-seconds N] [--no-install]
+# usage: tools/test.sh [--only release|install|cuda|pictures|asan|tsan|fuzz]... [--fuzz-seconds N] [--no-install]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/install_packages.sh
@@ -112,6 +112,13 @@ stage_install() {
   done
 }
 
+# VTK (410 MB) only where this stage is asked for; without it and without leave to install, the test says that it skips.
+stage_pictures() {
+  [ "$install" = no ] || install_packages "410 MB" libvtk9-dev xvfb xauth
+  build release || return 0
+  run_ctest "pictures" build-release --tests-regex '^viz\.'
+}
+
 stage_asan() {
   export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:allocator_may_return_null=1
   export UBSAN_OPTIONS=print_stacktrace=1
@@ -162,7 +169,7 @@ if [ "$install" = yes ]; then
   echo "== packages"
   install_packages "300 MB" "${core_packages[@]}" libgtest-dev python3 clang libclang-rt-dev ccache
 fi
-for stage in release install cuda asan tsan fuzz; do
+for stage in release install cuda pictures asan tsan fuzz; do
   if wanted "$stage"; then
     echo "== $stage"
     started=$SECONDS

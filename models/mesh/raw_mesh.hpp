@@ -21,6 +21,7 @@ struct RawMesh {
   std::vector<int> nodes;             ///< connectivity [-]                      [begin.back()]
   std::vector<int> label;             ///< [-]  [cell_count] or empty
   std::map<std::string, NamedArray> cell_arrays, point_arrays;  ///< a NaN stands where the file gave no value
+  bool polygons_only = true;  ///< of VTP: false where other cells make the arrays of cells useless
   std::vector<std::string> warnings;
 
   std::size_t cell_count() const { return code.size(); }

@@ -126,13 +126,19 @@ void append_piece(XmlData& data, const XMLElement& piece, bool polydata, RawMesh
     data.fail(piece, "all pieces together have more than 2147483647 points");
   append_arrays(data, piece.FirstChildElement("PointData"), first_point, points, raw.point_arrays);
   if (polydata) {
-    // Vertices and lines are of no use, and the arrays of cells belong to nothing that is kept.
-    const auto polys = static_cast<std::size_t>(integer_attribute(data, piece, "NumberOfPolys", 0));
+    // Vertices and lines are of no use. Arrays of cells are kept where polygons are the only cells.
+    const auto number = [&](const char* name) {
+      return static_cast<std::size_t>(integer_attribute(data, piece, name, 0));
+    };
+    const auto polys = number("NumberOfPolys"), strips = number("NumberOfStrips");
     if (polys > 0)
       append_cells(data, required_child(data, piece, "Polys"), polys, cell_polygon, first_point, raw);
-    const auto strips = static_cast<std::size_t>(integer_attribute(data, piece, "NumberOfStrips", 0));
     if (strips > 0)
       append_cells(data, required_child(data, piece, "Strips"), strips, cell_strip, first_point, raw);
+    if (strips + number("NumberOfVerts") + number("NumberOfLines") == 0)
+      append_arrays(data, piece.FirstChildElement("CellData"), first_cell, polys, raw.cell_arrays);
+    else
+      raw.polygons_only = false;
     return;
   }
   if (piece.Attribute("NumberOfCells") == nullptr) data.fail(piece, "NumberOfCells is missing");
@@ -207,7 +213,8 @@ RawMesh parse_vtk_xml(std::string_view text, const std::string& file) {
        piece = piece->NextSiblingElement("Piece"))
     append_piece(data, *piece, polydata, raw);
   check_arrays(data, grid, raw.X.size(), raw.point_arrays);
-  if (!polydata) check_arrays(data, grid, raw.cell_count(), raw.cell_arrays);
+  if (!raw.polygons_only) raw.cell_arrays.clear();
+  check_arrays(data, grid, raw.cell_count(), raw.cell_arrays);
   return raw;
 }
 

@@ -1,7 +1,7 @@
 """The C++ files of the tree, for the checks beside this file."""
 import pathlib
 
-FOLDERS = ["core", "cpu", "cuda", "contact", "models", "run", "app", "examples", "tests"]
+FOLDERS = ["core", "cpu", "cuda", "contact", "models", "run", "viz", "app", "examples", "tests"]
 SUFFIXES = {".hpp", ".cpp", ".cu", ".cuh"}
 
 
