@@ -74,6 +74,7 @@ class EmulatedDevice {
   }
   template <class T>
   void copy_in(const T* from, T* to, std::size_t count) {
+    if (count == 0) return;  // an empty array may have no address
     const detail::HeapAccess access(*heap_);
     std::memcpy(static_cast<void*>(to), from, count * sizeof(T));
   }

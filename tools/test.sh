@@ -128,8 +128,8 @@ stage_asan() {
 
 stage_tsan() {
   export TSAN_OPTIONS=halt_on_error=1
-  build tsan test_cpu test_run || return 0
-  run_ctest "thread sanitizer" build-tsan --tests-regex 'Team|Threads|threads|Runner|SameBits' --label-exclude slow
+  build tsan test_cpu test_scenarios || return 0
+  run_ctest "thread sanitizer" build-tsan --tests-regex 'Team|Threads|PatchSolids|Repeatability|Checkpoint' --label-exclude slow
 }
 
 # Every kernel compiled for one architecture: calls from device to host code and spills of the kernels in float are errors.

@@ -101,7 +101,8 @@ GLISSON_INLINE Pack<W> log_1p(Pack<W> x) {
 template <int W>
 GLISSON_INLINE Pack<W> exp_m1(Pack<W> x) {
   using P = Pack<W>;
-  const P clamped = select(x > P(89), P(89), select(x < P(-40), P(-40), x));
+  // NaN is clamped too: k - 1 below would overflow for the integer that it becomes
+  const P clamped = select(x > P(89), P(89), select(x > P(-40), x, P(-40)));
   const P scaled = clamped * P(1.44269504088896341);
   const auto k = detail::truncated(scaled + select(scaled < P(0), P(-0.5), P(0.5)));
   const P k_float = detail::to_floats<W>(k);
