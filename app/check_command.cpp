@@ -76,8 +76,9 @@ int check(const CheckArguments& arguments) {
              model.units.empty() ? "not declared" : model.units);
   print_quality(model.mesh);
   print_steps(model);
-  const auto simulation =
-      in_file(arguments.file, [&] { return make_simulation(model, arguments.simulation); });
+  SimulationOptions options = arguments.simulation;
+  options.validated = true;
+  const auto simulation = in_file(arguments.file, [&] { return make_simulation(model, options); });
   const StepReport report = simulation->report();
   fmt::print("device {}, memory {}\n", simulation->device(),
              bytes_text(static_cast<double>(simulation->memory_bytes())));

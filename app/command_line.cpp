@@ -24,15 +24,23 @@ const std::map<std::string, LogLevel> log_levels{{"error", LogLevel::error},
                                                  {"info", LogLevel::info},
                                                  {"debug", LogLevel::debug}};
 
+/// An option whose value is one of the names of a table.
+template <class T>
+CLI::Option* add_named(CLI::App& command, const std::string& option, T& value,
+                       const std::map<std::string, T>& table, const std::string& description) {
+  const auto assign = [&value, &table](const std::string& name) { value = table.at(name); };
+  return command.add_option_function<std::string>(option, assign, description)
+      ->check(CLI::IsMember(&table))
+      ->type_name("NAME");
+}
+
 void add_device(CLI::App& command, SimulationOptions& simulation) {
   command.add_option("--device", simulation.device, "auto, cpu, serial, emulated, cuda or cuda:N")
       ->capture_default_str();
   command.add_option("--threads", simulation.threads, "worker threads; 0: one per core")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
-  command.add_option("--precision", simulation.precision, "single or double")
-      ->transform(CLI::CheckedTransformer(precisions))
-      ->type_name("NAME");
+  add_named(command, "--precision", simulation.precision, precisions, "single or double");
   command.add_option("--instruction-set", simulation.instruction_set, "auto, sse4.2, avx2 or avx512");
 }
 
@@ -49,9 +57,7 @@ void add_run(CLI::App& app, Action& action) {
   command->add_flag("--resume", a->resume, "go on from the checkpoint in the output directory");
   command->add_flag("--lenient", a->lenient, "unknown names in the file are warnings");
   command->add_flag("-q,--quiet", a->quiet, "print errors only");
-  command->add_option("--log-level", a->log_level, "error, warning, info or debug")
-      ->transform(CLI::CheckedTransformer(log_levels))
-      ->type_name("NAME");
+  add_named(*command, "--log-level", a->log_level, log_levels, "error, warning, info or debug");
   command
       ->add_option("--checkpoint-minutes", a->checkpoint_minutes,
                    "time between checkpoints; 0: only on Ctrl-C")

@@ -25,7 +25,7 @@ auto in_file(const std::string& file, Body&& body) {
     return body();
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::input || !error.place().file.empty()) throw;
-    throw Error(error.kind(), error.what(), {file, 0, error.place().element});
+    throw Error(error.kind(), error.what(), {file, 0, ""});  // the text names the element already
   }
 }
 

@@ -57,6 +57,7 @@ RunnerOptions runner_options(const RunArguments& arguments, const CheckedModel& 
   options.text_prefix = arguments.text_prefix;
   options.simulation = arguments.simulation;
   options.model_file = std::filesystem::absolute(arguments.file).string();
+  options.simulation.validated = true;
   options.resume = arguments.resume;
   options.checkpoint_seconds = 60 * arguments.checkpoint_minutes;
   options.read_seconds = input.seconds;

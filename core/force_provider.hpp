@@ -32,7 +32,7 @@ struct StepView {
   R advance_per_force = R(0);  ///< u(t + dt) changes by advance_per_force * f / mass [s^2]
   bool advance = true;       ///< false: evaluate only; material history and accumulated work stay as they are
   bool monitor = false;      ///< true: accumulate work (energy())
-  double strain_energy = 0;  ///< of the last energy evaluation [J]
+  double strain_energy = 0;  ///< of time t if springs have a cap, else of the last energy account [J]
   void* stream = nullptr;
 };
 

@@ -177,8 +177,11 @@ struct QuasiStatic {
   std::int64_t max_steps = 1'000'000;
 };
 
+/// Length of the ramp of a quasi-static run without a total time: where a LoadCurve ends by default [s].
+constexpr double pseudo_time = 1;
+
 struct TimeSettings {
-  double total = 0;                ///< [s]
+  double total = 0;                ///< [s]; 0 in a quasi-static run: pseudo_time
   std::optional<double> step;      ///< [s]; empty: chosen from the estimated stable step
   double safety = 0.8;             ///< share of the stable step that is used
   std::optional<Stepper> stepper;  ///< empty: Newmark if every element is T4ANP, else central difference

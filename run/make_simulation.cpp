@@ -33,6 +33,7 @@ std::string automatic_device_text() {
 std::unique_ptr<AnySimulation> make_simulation(const Model& model, const SimulationOptions& options) {
   const bool in_double = options.precision == Precision::double_precision;
   const std::string& device = options.device;
+  if (!options.validated) validate(model);
   if (device == "serial")
     return in_double ? detail::simulate_serial_double(model) : detail::simulate_serial_float(model);
   if (device == "emulated")

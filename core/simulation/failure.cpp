@@ -1,5 +1,6 @@
 #include <glisson/core/simulation/failure.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -53,8 +54,8 @@ std::string cause(const Model& model, const FailureContext& c) {
   const bool too_large = c.stable_now > 0 && c.report.dt > c.stable_now;
   const Worst worst = most_compressed(model, c.healthy.empty() ? c.u : c.healthy);
   if (worst.element >= 0)
-    text << "Before that, at step " << c.healthy_step << ", the most compressed element was " << worst.element
-         << " (" << worst.ratio << " of its volume). ";
+    text << "Before that, at step " << c.healthy_step << ", the most compressed one was "
+         << element_text(model, worst.element) << ", with " << worst.ratio << " of its volume. ";
   if (too_large)
     text << "Likely cause: the step of " << c.report.dt << " s is above the stable step of " << c.stable_now
          << " s. Leave TimeStep out, or use at most " << 0.8 * c.stable_now << " s.";
@@ -70,6 +71,14 @@ std::string cause(const Model& model, const FailureContext& c) {
 }
 
 }  // namespace
+
+std::string element_text(const Model& model, int element) {
+  const std::string text = "element " + std::to_string(element);
+  for (const Section& s : model.sections)
+    if (std::find(s.elements.begin(), s.elements.end(), element) != s.elements.end())
+      return text + " (" + name_of(s.formulation) + ", " + s.material.law + ")";
+  return text;
+}
 
 std::string not_finite_message(const Model& model, const FailureContext& c) {
   std::ostringstream text;

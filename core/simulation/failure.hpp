@@ -17,6 +17,8 @@ struct FailureContext {
   double stable_now = 0;  ///< estimate of the stable step for `healthy` [s]; 0: not known
 };
 
+/// "element 17 (T4, NH)": with formulation and law.
+std::string element_text(const Model& model, int element);
 std::string not_finite_message(const Model& model, const FailureContext& context);
 std::string imbalance_message(const Model& model, const FailureContext& context, const Energies& energies,
                               double share, double tolerance);

@@ -58,6 +58,7 @@ class Simulation final : public AnySimulation {
   StepView<R> make_view() const;
   double load_time(std::int64_t step) const;
   // simulation_checks.ipp
+  std::string limiter() const;
   void choose_step();
   double stable_step_now(int iterations);
   void review();
@@ -86,7 +87,7 @@ class Simulation final : public AnySimulation {
   std::vector<Vec3<double>> healthy_;  ///< displacement at the last check that passed, user's numbering [m]
   Stepper stepper_ = Stepper::central_difference;
   bool prony_ = false;                               ///< some material has a memory
-  double smallest_size_ = 0;                         ///< of the elements [m]
+  bool capped_ = false;                              ///< some springs have a strain-energy cap
   double strain_energy_ = 0, hourglass_energy_ = 0;  ///< of the last evaluation [J]
   double stable_step_ = 0;                           ///< last estimate [s]
   std::string limited_by_;

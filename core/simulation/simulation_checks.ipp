@@ -28,11 +28,24 @@ double Simulation<B, R>::stable_step_now(int iterations) {
   return 1 / std::sqrt(inverse_square);
 }
 
+/// The element with the smallest step, or a provider that allows less than it.
+template <Backend B, class R>
+std::string Simulation<B, R>::limiter() const {
+  const auto& e = parts_.element_step;
+  double smallest = e.dt;
+  std::string name = e.element >= 0 ? element_text(model_, e.element) : std::string("a shell triangle");
+  auto compare = [&](const auto& provider) {
+    if (provider.stable_step() < smallest) smallest = provider.stable_step(), name = provider.name();
+  };
+  for (const auto& load : parts_.loads) compare(*load);
+  for (const auto& user : users_) compare(user->provider());
+  return name;
+}
+
 template <Backend B, class R>
 void Simulation<B, R>::choose_step() {
   stable_step_ = stable_step_now(40);
-  const auto& e = parts_.element_step;
-  limited_by_ = e.element >= 0 ? "element " + std::to_string(e.element) : std::string("a shell triangle");
+  limited_by_ = limiter();
   const TimeSettings& time = model_.time;
   if (!(stable_step_ > 0) || !std::isfinite(stable_step_))
     throw Error(ErrorKind::input, "The stable time step could not be estimated (" +

@@ -18,6 +18,11 @@ inline bool has_prony(const Model& model) {
   });
 }
 
+inline bool has_capped_springs(const Model& model) {
+  return std::any_of(model.springs.begin(), model.springs.end(),
+                     [](const Springs& s) { return s.strain_energy_cap.has_value(); });
+}
+
 /// Largest ratio of wave to shear speed among the materials [-].
 inline double slowness(const Model& model) {
   double largest = 1;
@@ -40,7 +45,8 @@ Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
       monitor_(backend_, nodes_.count()),
       power_(backend_, nodes_, parts_.element_step.smallest_size),
       stepper_(model.time.stepper.value_or(default_stepper(model))),
-      prony_(has_prony(model)) {
+      prony_(has_prony(model)),
+      capped_(has_capped_springs(model)) {
   if (!parts_.bodies.empty()) u_predicted_ = nodes_.zeros();
   if (model.time.quasi_static) {
     // shear waves cross the mesh a few times while the loads grow: one element takes them wave / shear speed

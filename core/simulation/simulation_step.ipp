@@ -13,10 +13,13 @@ bool Simulation<B, R>::finished() const {
   return relaxation_ ? relaxation_->ended(step_) : plan_.finished(step_);
 }
 
-/// The time that load curves see: in quasi-static mode the loads grow to their final value over the ramp.
+/// The time that load curves see: in quasi-static mode the loads grow to their final value over the ramp, whose
+/// length is nobody's business if the model names none.
 template <Backend B, class R>
 double Simulation<B, R>::load_time(std::int64_t step) const {
-  return relaxation_ ? model_.time.total * relaxation_->load_share(step) : plan_.time(step);
+  if (!relaxation_) return plan_.time(step);
+  const double total = model_.time.total > 0 ? model_.time.total : pseudo_time;
+  return total * relaxation_->load_share(step);
 }
 
 template <Backend B, class R>
@@ -100,7 +103,10 @@ template <Backend B, class R>
 void Simulation<B, R>::one_step() {
   const bool due = step_ % monitor_every_ == 0 || step_ + 1 == plan_.last_step();
   if (step_ >= next_recheck_) recheck_stable_step();
-  if (due) review();
+  if (due)
+    review();
+  else if (capped_)  // Johnsen 2016, eq. 3.15, compares the energy of every step with the cap
+    strain_energy_ = parts_.solids->strain_energy(make_view());
   StepView<R> view = make_view();
   add_forces(view);
   predict_and_touch(view);

@@ -125,11 +125,17 @@ void check_mesh_arrays(const Mesh& mesh) {
   for (std::size_t e = 0; e < elements; ++e) {
     if (mesh.begin[e + 1] - mesh.begin[e] != node_count_of(mesh.shape[e]))
       refuse("element " + std::to_string(e), "its number of nodes does not fit its shape");
-    for (const int n : mesh.element(static_cast<int>(e)))
+    const auto nodes = mesh.element(static_cast<int>(e));
+    for (const int n : nodes) {
       if (n < 0 || n >= mesh.node_count())
         refuse("element " + std::to_string(e), "it uses node " + std::to_string(n) +
                                                    ", but the nodes are 0 to " +
                                                    std::to_string(mesh.node_count() - 1));
+      if (std::count(nodes.begin(), nodes.end(), n) > 1)
+        refuse("element " + std::to_string(e),
+               "it uses node " + std::to_string(n) +
+                   " twice; collapsed elements are not supported, mesh that place with tetrahedra");
+    }
   }
 }
 

@@ -14,16 +14,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A file, or a pipe; a device like /dev/zero may have no end.
 bool is_file(const fs::path& path) {
   std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
+  return fs::is_regular_file(path, ignored) || fs::is_fifo(path, ignored);
+}
+
+std::string why_not_open(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return "'" + path + "' is a folder; name the simulation file in it";
+  return "the file '" + path + "' cannot be opened; check its name and permissions";
 }
 
 std::string contents_of(const std::string& path, const Place& place) {
+  if (!is_file(path)) throw Error(ErrorKind::input, why_not_open(path), place);
   std::ifstream stream(path, std::ios::binary);
-  if (!is_file(path) || !stream)
-    throw Error(ErrorKind::input, "the file '" + path + "' cannot be opened; check its name and permissions",
-                place);
+  if (!stream) throw Error(ErrorKind::input, why_not_open(path), place);
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream) throw Error(ErrorKind::input, "the file '" + path + "' cannot be read to its end", place);

@@ -84,7 +84,7 @@ void read_system_params(Reader& reader, const XmlElement& model, TimeSettings& t
   }
   if (const auto child = system.child("Density")) reader.density = positive(*child);
   if (const auto child = system.child("HGKappa")) reader.hourglass = not_negative(*child);
-  reader.total_time = time.total;
+  reader.total_time = time.total > 0 ? time.total : pseudo_time;
 }
 
 void read_output(const XmlElement& model, OutputSettings& output) {

@@ -63,6 +63,7 @@ class Usage(InFolder):
         for arguments in (["--threads", "-1"], ["--threads", "two"], ["--precision", "half"], ["--device", "gpu"],
                           ["--log-level", "loud"], ["--print", "XX"], ["--checkpoint-minutes", "-1"]):
             self.expect(run("run", file, "-o", self.folder / "out", *arguments), 2)
+        self.expect(run("run", file, "--precision", "half"), 2, "half", "double", "single")
         self.expect(run("bench", "--cases", "T5"), 2, "T5", "T4")
 
     def test_no_such_device(self):
@@ -77,9 +78,18 @@ class Usage(InFolder):
 class Input(InFolder):
     def test_wrong_paths(self):
         self.expect(run("run", self.folder / "absent.xml"), 3, "absent.xml")
-        self.expect(run("run", self.folder), 3, str(self.folder))
+        self.expect(run("run", self.folder), 3, str(self.folder), "is a folder")
         self.expect(run("info", self.folder / "absent.msh"), 3, "absent.msh")
         self.expect(run("info", self.folder / "absent.nii"), 3, "absent.nii")
+
+    def test_a_pipe_is_read(self):
+        text = self.write("box.xml", box(1)).read_text()
+        self.expect(run("check", "/dev/stdin", "--no-prediction", input=text), 0, "can be run")
+
+    def test_the_place_is_named_once(self):
+        done = run("run", self.write("box.xml", box(1).replace("<Density>1000", "<Density>-1")))
+        self.expect(done, 3, "ElementSet at line", "density")
+        self.assertEqual(done.stderr.count("ElementSet at line"), 1)
 
     def test_output_that_cannot_be_written(self):
         file = self.write("box.xml", box(1))

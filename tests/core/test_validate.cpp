@@ -42,6 +42,7 @@ const Case refused[] = {
     {"no elements", [](Model& m) { m.mesh = {}; }},
     {"not finite", [](Model& m) { m.mesh.X[3].y = nan; }},
     {"node 8", [](Model& m) { m.mesh.nodes[2] = 8; }},
+    {"node 3 twice", [](Model& m) { m.mesh.nodes[0] = m.mesh.nodes[2]; }},
     {"labels",
      [](Model& m) {
        m.mesh.label = {1, 2};
@@ -253,6 +254,9 @@ TEST(Validate, KnowsFoldedHexahedra) {
   model.sections[0].elements = {0};
   model.sections[0].formulation = Formulation::h8_full;
   EXPECT_NO_THROW(validate(model));
+  model.mesh.nodes[7] = 4;  // a wedge
+  EXPECT_THROW(validate(model), Error);
+  model.mesh.nodes[7] = 7;
   model.mesh.X[6] = {0.05, 0.05, 0.05};  // one corner pushed through the middle
   EXPECT_THROW(validate(model), Error);
   std::swap(model.mesh.X[0], model.mesh.X[4]);

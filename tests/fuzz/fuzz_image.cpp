@@ -1,5 +1,5 @@
 // Any bytes given to the reader of label images: an image or an Error, nothing else. Seeds are INRIMAGE
-// files.
+// and NIfTI files; the reader tells them apart by their first bytes.
 #include <cstdlib>
 #include <glisson/core/base/error.hpp>
 #include <glisson/models/image/label_image.hpp>
