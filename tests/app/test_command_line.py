@@ -87,7 +87,7 @@ class Input(InFolder):
         self.expect(run("check", "/dev/stdin", "--no-prediction", input=text), 0, "can be run")
 
     def test_the_place_is_named_once(self):
-        done = run("run", self.write("box.xml", box(1).replace("<Density>1000", "<Density>-1")))
+        done = run("run", self.write("box.xml", box(1).replace("<Density> 1000", "<Density> -1")))
         self.expect(done, 3, "ElementSet at line", "density")
         self.assertEqual(done.stderr.count("ElementSet at line"), 1)
 
