@@ -87,8 +87,8 @@ class Input(InFolder):
         self.expect(run("check", "/dev/stdin", "--no-prediction", input=text), 0, "can be run")
 
     def test_the_place_is_named_once(self):
-        done = run("run", self.write("box.xml", box(1).replace("<Density> 1000", "<Density> -1")))
-        self.expect(done, 3, "ElementSet at line", "density")
+        done = run("run", self.write("box.xml", box(1).replace("> 2000 20000", "> -2000 20000")))
+        self.expect(done, 3, "ElementSet at line", "mu of NH")
         self.assertEqual(done.stderr.count("ElementSet at line"), 1)
 
     def test_output_that_cannot_be_written(self):
