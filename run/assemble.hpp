@@ -28,6 +28,7 @@ inline std::vector<double> reordered(const std::vector<double>& user, const Numb
 
 /// make_solids(backend, model, numbering) -> std::unique_ptr<SolidForces<R>>.
 template <Backend B, class R, class MakeSolids>
+// NOLINTNEXTLINE(performance-unnecessary-value-param): the device's name is moved
 std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> backend, std::string device,
                                         MakeSolids&& make_solids) {
   SimulationParts<B, R> parts;

@@ -43,6 +43,7 @@ std::map<int, T> by_node(const Numbering& numbering, const std::vector<int>& nod
 template <class T>
 std::vector<int> keys(const std::map<int, T>& entries) {
   std::vector<int> result;
+  result.reserve(entries.size());
   for (const auto& [node, value] : entries) result.push_back(node);
   return result;
 }

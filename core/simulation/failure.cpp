@@ -73,7 +73,7 @@ std::string cause(const Model& model, const FailureContext& c) {
 }  // namespace
 
 std::string element_text(const Model& model, int element) {
-  const std::string text = "element " + std::to_string(element);
+  std::string text = "element " + std::to_string(element);
   for (const Section& s : model.sections)
     if (std::find(s.elements.begin(), s.elements.end(), element) != s.elements.end())
       return text + " (" + name_of(s.formulation) + ", " + s.material.law + ")";

@@ -67,6 +67,7 @@ void PatchSolids::make_blocks(const Model& model, const Numbering& numbering,
                               const ElementParameters& parameters, PatchBuilder& builder) {
   auto pairs = [](const std::vector<PronyTerm>& terms) {
     std::vector<std::pair<double, double>> result;
+    result.reserve(terms.size());
     for (const PronyTerm& t : terms) result.emplace_back(t.alpha, t.tau);
     return result;
   };

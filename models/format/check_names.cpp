@@ -10,6 +10,7 @@ namespace {
 template <class Rules>
 std::vector<std::string> names_of(const Rules& rules) {
   std::vector<std::string> names;
+  names.reserve(rules.size());
   for (const auto& rule : rules) names.push_back(rule.name);
   return names;
 }

@@ -88,6 +88,7 @@ const NamedArray& cell_array(const XmlElement& element, const Mesh& mesh, int co
 
 std::vector<double> picked(const NamedArray& array, const std::vector<int>& elements, int component) {
   std::vector<double> values;
+  values.reserve(elements.size());
   for (const int e : elements)
     values.push_back(
         array.values.at(static_cast<std::size_t>(e) * static_cast<std::size_t>(array.components) +

@@ -80,7 +80,7 @@ void read_elements_4(GmshReader& reader) {
     const auto entity = reader.integer("the tag of an entity");
     const auto type = reader.integer("the type of elements");
     const auto count =
-        reader.count("number of elements in a block", 4, static_cast<std::size_t>(2 * reader.size_bytes));
+        reader.count("number of elements in a block", 4, 2 * static_cast<std::size_t>(reader.size_bytes));
     const auto group = reader.physical.find({dimension, entity});
     const auto label = group == reader.physical.end() ? entity : group->second;
     for (std::int64_t i = 0; i < count; ++i)

@@ -158,7 +158,8 @@ TextWriter::TextWriter(Empty) {}
 TextWriter::TextWriter(std::string prefix, const std::vector<std::string>& variables)
     : TextWriter(resume(std::move(prefix), variables, -std::numeric_limits<double>::infinity())) {}
 
-TextWriter TextWriter::resume(std::string prefix, const std::vector<std::string>& variables, double time) {
+TextWriter TextWriter::resume(const std::string& prefix, const std::vector<std::string>& variables,
+                              double time) {
   TextWriter writer(Empty{});
   constexpr const char* known[] = {"U", "F", "S", "E", "EKin", "EStrain"};
   for (const std::string& name : variables) {

@@ -21,7 +21,7 @@ class TextWriter {
   TextWriter(std::string prefix, const std::vector<std::string>& variables);
   /// Goes on after a restart at `time` with the columns up to that time that finish(true) or a killed run
   /// left.
-  static TextWriter resume(std::string prefix, const std::vector<std::string>& variables, double time);
+  static TextWriter resume(const std::string& prefix, const std::vector<std::string>& variables, double time);
   TextWriter(TextWriter&&) noexcept;
   TextWriter& operator=(TextWriter&&) noexcept;
   ~TextWriter();
