@@ -136,6 +136,7 @@ int bench(const BenchArguments& arguments) {
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   for (const int size : arguments.sizes) {
     std::vector<Entry> entries;
+    entries.reserve(list.size());
     for (const auto& variant : list) entries.push_back(prepare(variant, size, arguments));
     for (int turn = 0; turn < 20; ++turn)
       for (auto& e : entries)

@@ -15,6 +15,7 @@ namespace {
 
 void print_quality(const Mesh& mesh) {
   std::vector<std::pair<double, int>> quality;
+  quality.reserve(mesh.shape.size());
   for (int e = 0; e < mesh.element_count(); ++e) quality.emplace_back(element_quality(mesh, e), e);
   std::sort(quality.begin(), quality.end());
   const auto poor =
