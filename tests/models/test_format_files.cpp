@@ -109,6 +109,18 @@ TEST_F(FormatFiles, AMissingOneIsNamedWithBothPlaces) {
   EXPECT_THROW(read_model(directory.string()), Error);
 }
 
+TEST_F(FormatFiles, SurfacesOfContact) {
+  const auto from = [&](const std::string& child) {
+    return read(model(mesh_element, "<ContactSurface>" + child + "</ContactSurface>")).surfaces.at(0).surface;
+  };
+  const SurfaceMesh plane = from("<SurfaceFile>plane.stl<Translation>0 0 1</Translation></SurfaceFile>");
+  ASSERT_EQ(plane.facets.size(), 1U);
+  EXPECT_EQ(plane.facets[0].node_count(), 3);
+  ASSERT_EQ(plane.X.size(), 3U);
+  for (const auto& X : plane.X) EXPECT_NEAR(X.z, 3.1, 1e-6);  // float in the file
+  EXPECT_THROW(from("<SurfaceFile>nowhere.stl</SurfaceFile>"), Error);
+}
+
 TEST_F(FormatFiles, TypeChoosesShapesAndFormulations) {
   const auto both = read(model("<VTKMesh Type=\"T4ANP+H8FixedHourglass\">mesh.vtk</VTKMesh>"));
   ASSERT_EQ(both.sections.size(), 2U);
