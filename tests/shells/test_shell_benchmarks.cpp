@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
         Benchmark{"TwistedBeamOutOfPlane", [](int n) { return twisted_beam(n, true); }, 1.754e-3, {1, 2, 4}},
         Benchmark{"TwistedBeamInPlane", [](int n) { return twisted_beam(n, false); }, 5.424e-3, {1, 2, 4}},
         Benchmark{"ClampedPlate", clamped_plate, 0.00126532, {4, 8, 16}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& test) { return test.param.name; });
 
 /// Elastica (closed form): P L^2 / (E I) = 1, 2, 5, 10; a strip of nu = 0.
 TEST(ShellRotation, AStripFollowsTheElastica) {
