@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/cpu/ensemble/stack_switch.hpp>
 
 namespace glisson {
 namespace {
@@ -28,15 +29,18 @@ void* make_stack() {
 struct Fiber::State {
   std::function<void()> body;
   void* stack = make_stack();
+  detail::StackSwitch stacks{stack, stack_bytes};
   ucontext_t own{}, caller{};
   bool done = false, inside = false;
 };
 
 void Fiber::start(unsigned high, unsigned low) {
   auto* state = reinterpret_cast<State*>((static_cast<std::uintptr_t>(high) << 32) | low);
+  state->stacks.enter();
   state->body();
   state->done = true;
   state->inside = false;
+  state->stacks.leave(true);
   swapcontext(&state->own, &state->caller);
 }
 
@@ -50,17 +54,25 @@ Fiber::Fiber(std::function<void()> body) : state_(std::make_unique<State>()) {
               static_cast<unsigned>(address >> 32), static_cast<unsigned>(address));
 }
 
-Fiber::~Fiber() { munmap(state_->stack, stack_bytes); }
+Fiber::~Fiber() {
+  void* stack = state_->stack;
+  state_.reset();
+  munmap(stack, stack_bytes);
+}
 
 void Fiber::resume() {
   if (state_->done) return;
   state_->inside = true;
+  state_->stacks.leave_caller();
   swapcontext(&state_->caller, &state_->own);
+  state_->stacks.return_to_caller();
 }
 
 void Fiber::pause() {
   state_->inside = false;
+  state_->stacks.leave(false);
   swapcontext(&state_->own, &state_->caller);
+  state_->stacks.enter();
 }
 
 bool Fiber::done() const { return state_->done; }
