@@ -7,13 +7,12 @@
 #include <type_traits>
 
 #include <glisson/core/backend.hpp>
+#include <glisson/cpu/host_copies.hpp>
 
 namespace glisson {
 
-class Serial {
+class Serial : public HostCopies {
  public:
-  static constexpr Space space = Space::host;
-
   /// Zeroed, 64-byte aligned.
   template <class T>
   Buffer<T> allocate(std::size_t count) {
@@ -27,19 +26,10 @@ class Serial {
     };
     return Buffer<T>(static_cast<T*>(data), {release, nullptr, count});
   }
-  template <class T>
-  void copy_in(const T* from, T* to, std::size_t count) {
-    std::copy_n(from, count, to);
-  }
-  template <class T>
-  void copy_out(const T* from, T* to, std::size_t count) {
-    std::copy_n(from, count, to);
-  }
   template <class F>
   void for_each(int n, F body) {
     for (int i = 0; i < n; ++i) body(i);
   }
-  void* stream() { return nullptr; }
 };
 
 static_assert(Backend<Serial>);

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include <glisson/core/backend.hpp>
+#include <glisson/cpu/host_copies.hpp>
 #include <glisson/cpu/memory.hpp>
 #include <glisson/cpu/team.hpp>
 
@@ -12,9 +13,8 @@ namespace glisson {
 
 /// Loops in equal shares over a persistent team. Bodies write disjoint places, so no result depends on the
 /// number of threads.
-class Threads {
+class Threads : public HostCopies {
  public:
-  static constexpr Space space = Space::host;
   /// Loops that cost less than so many cheap bodies run on the caller: waking the others would take longer.
   static constexpr int serial_below = 2048;
 
@@ -37,14 +37,6 @@ class Threads {
     return Buffer<T>(
         data, {[](void*, T* memory, std::size_t) { detail::release_untouched(memory); }, nullptr, count});
   }
-  template <class T>
-  void copy_in(const T* from, T* to, std::size_t count) {
-    std::copy_n(from, count, to);
-  }
-  template <class T>
-  void copy_out(const T* from, T* to, std::size_t count) {
-    std::copy_n(from, count, to);
-  }
   template <class F>
   void for_each(int n, F body) {
     static_assert(std::is_trivially_copyable_v<F>);
@@ -58,7 +50,6 @@ class Threads {
       for (int i = share.first; i < share.last; ++i) body(i);
     });
   }
-  void* stream() { return nullptr; }
 
  private:
   Team team_;

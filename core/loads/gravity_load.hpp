@@ -2,8 +2,7 @@
 // raised.
 #pragma once
 
-#include <glisson/core/loads/list_forces.hpp>
-#include <glisson/core/loads/node_list.hpp>
+#include <glisson/core/loads/scaled_load.hpp>
 
 namespace glisson {
 
@@ -19,31 +18,17 @@ struct Weight {
 
 /// Over all nodes it holds one number per node and one double per 16 nodes.
 template <Backend B, class R>
-class GravityLoad final : public ForceProvider<R> {
+class GravityLoad final : public ScaledLoad<B, R> {
  public:
   /// mass: [kg] in internal order [node_count].
   GravityLoad(B& backend, const Gravity& load, const Numbering& numbering, std::span<const double> mass)
       : GravityLoad(backend, load, entries_of(load, numbering), mass) {}
 
   std::string_view name() const override { return "gravity"; }
-  Space space() const override { return B::space; }
   void add_forces(const StepView<R>& step) override {
-    const double amplitude = curve_(step.t);
-    work_.run(step, everywhere_ ? nullptr : nodes_.get(),
-              Weight<R>{mass_.get(), times(amplitude), times(amplitude_before_)});
-    if (step.advance) amplitude_before_ = amplitude * work_.share(step);
-  }
-  double work() const override { return work_.total(); }
-  std::vector<std::byte> save() const override {
-    detail::ByteWriter out;
-    work_.save(out.value(amplitude_before_));
-    return out.take();
-  }
-  void load(std::span<const std::byte> bytes) override {
-    detail::ByteReader in(bytes, "gravity");
-    in.value(amplitude_before_);
-    work_.load(in);
-    in.end();
+    this->run(step, everywhere_ ? nullptr : nodes_.get(), [&](double amplitude, double before) {
+      return Weight<R>{mass_.get(), times(amplitude), times(before)};
+    });
   }
 
  private:
@@ -61,25 +46,22 @@ class GravityLoad final : public ForceProvider<R> {
     return result;
   }
   GravityLoad(B& backend, const Gravity& load, const Entries& entries, std::span<const double> mass)
-      : curve_(load.curve),
+      : ScaledLoad<B, R>(backend, load.curve,
+                         static_cast<int>((entries.empty() ? mass.size() : entries.size()))),
         acceleration_(load.acceleration),
         everywhere_(entries.empty()),
         nodes_(detail::upload(backend, detail::keys(entries))),
-        mass_(detail::upload(backend, masses(entries, mass))),
-        work_(backend, static_cast<int>(everywhere_ ? mass.size() : entries.size())) {}
+        mass_(detail::upload(backend, masses(entries, mass))) {}
 
   Vec3<R> times(double amplitude) const {
     const Vec3<double> g = amplitude * acceleration_;
     return {R(g.x), R(g.y), R(g.z)};
   }
 
-  LoadCurve curve_;
   Vec3<double> acceleration_;
   bool everywhere_;
   Buffer<int> nodes_;
   Buffer<R> mass_;
-  ListWork<B, R> work_;
-  double amplitude_before_ = 0;
 };
 
 }  // namespace glisson

@@ -1,8 +1,7 @@
 // A given force on each node of a list, f = A(t) F.
 #pragma once
 
-#include <glisson/core/loads/list_forces.hpp>
-#include <glisson/core/loads/node_list.hpp>
+#include <glisson/core/loads/scaled_load.hpp>
 
 namespace glisson {
 
@@ -18,29 +17,16 @@ struct GivenForce {
 
 /// A node that is listed twice gets both forces.
 template <Backend B, class R>
-class NodalForces final : public ForceProvider<R> {
+class NodalForces final : public ScaledLoad<B, R> {
  public:
   NodalForces(B& backend, const NodalForce& load, const Numbering& numbering)
       : NodalForces(backend, load.curve, entries_of(load, numbering)) {}
 
   std::string_view name() const override { return "nodal force"; }
-  Space space() const override { return B::space; }
   void add_forces(const StepView<R>& step) override {
-    const double amplitude = curve_(step.t);
-    work_.run(step, nodes_.get(), GivenForce<R>{values_.get(), R(amplitude), R(amplitude_before_)});
-    if (step.advance) amplitude_before_ = amplitude * work_.share(step);
-  }
-  double work() const override { return work_.total(); }
-  std::vector<std::byte> save() const override {
-    detail::ByteWriter out;
-    work_.save(out.value(amplitude_before_));
-    return out.take();
-  }
-  void load(std::span<const std::byte> bytes) override {
-    detail::ByteReader in(bytes, "nodal force");
-    in.value(amplitude_before_);
-    work_.load(in);
-    in.end();
+    this->run(step, nodes_.get(), [&](double amplitude, double before) {
+      return GivenForce<R>{values_.get(), R(amplitude), R(before)};
+    });
   }
 
  private:
@@ -60,16 +46,12 @@ class NodalForces final : public ForceProvider<R> {
     return values;
   }
   NodalForces(B& backend, LoadCurve curve, const Entries& entries)
-      : curve_(std::move(curve)),
+      : ScaledLoad<B, R>(backend, std::move(curve), static_cast<int>(entries.size())),
         nodes_(detail::upload(backend, detail::keys(entries))),
-        values_(detail::upload(backend, values_of(entries))),
-        work_(backend, static_cast<int>(entries.size())) {}
+        values_(detail::upload(backend, values_of(entries))) {}
 
-  LoadCurve curve_;
   Buffer<int> nodes_;
   Buffer<Vec4<R>> values_;
-  ListWork<B, R> work_;
-  double amplitude_before_ = 0;
 };
 
 }  // namespace glisson

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tests/core/load_bench.hpp"
+#include "tests/contact/free_nodes.hpp"
 
 namespace glisson::contact {
 namespace {
@@ -12,34 +12,12 @@ template <class C>
 struct RigidContacts : ::testing::Test {};
 TYPED_TEST_SUITE(RigidContacts, BenchCases);
 
-/// Free nodes of the model in a time loop with its bodies.
 template <class C>
-struct Scene {
-  using R = RealOf<C>;
-  explicit Scene(const Model& m, double mass = 1)
-      : model(m),
-        bench(m.mesh.node_count(), mass),
-        bodies(make_rigid_bodies<BackendOf<C>, R>(bench.backend, m, bench.numbering)) {}
-
-  void step(double dt) {
-    const double kick = bench.step_count == 0 ? 0.5 * dt : dt, t = double(bench.step_count) * dt;
-    StepView<R> view = bench.view(t, dt);
-    view.t_next = double(bench.step_count + 1) * dt;
-    view.advance_per_force = R(dt * kick);
-    auto predicted = bench.u;
-    for (std::size_t n = 0; n < predicted.size(); ++n) predicted[n] = predicted[n] + dt * bench.v[n];
-    bench.put(predicted, bench.predicted(), false);
-    view.u_predicted = bench.predicted();
-    bench.f.assign(bench.f.size(), {});
-    for (auto& body : bodies) bench.forces(*body, view);
-    bench.advance(dt);
-  }
-  ContactReport report() const { return dynamic_cast<const ContactSource&>(*bodies[0]).report(); }
-  Vec3<double> position(int n) const { return model.mesh.X[std::size_t(n)] + bench.u[std::size_t(n)]; }
-
-  Model model;
-  Bench<C> bench;
-  std::vector<std::unique_ptr<ForceProvider<R>>> bodies;
+struct Scene : FreeNodes<C> {
+  explicit Scene(const Model& model, double mass = 1)
+      : FreeNodes<C>(model, mass, [](auto& backend, const Model& m, const Numbering& numbering) {
+          return make_rigid_bodies<BackendOf<C>, RealOf<C>>(backend, m, numbering);
+        }) {}
 };
 
 RigidBody pressing_plate() {  // front along -z, comes down from z = 1 to z = 0.5
@@ -117,14 +95,7 @@ TYPED_TEST(RigidContacts, WorkIsTheEnergyOfTheNodes) {
   model.bodies[0].motion = {LoadShape::poly345, 0, 1};
   Scene<TypeParam> scene(model, 2);
   scene.bench.v[1] = {0, 0, 0.5};
-  const double start = 0.25;
-  for (int n = 0; n < 20; ++n) {
-    const auto before = scene.bench.v;
-    scene.step(0.05);
-    double kinetic = 0;
-    for (std::size_t k = 0; k < 3; ++k) kinetic += dot(before[k], scene.bench.v[k]);
-    EXPECT_NEAR(scene.bodies[0]->work(), kinetic - start, 20 * scene.bench.tolerance()) << n;
-  }
+  expect_work_to_be_the_energy_of_the_nodes(scene, 20);
   EXPECT_GT(scene.bodies[0]->work(), 0.1);
 }
 
@@ -144,15 +115,7 @@ TYPED_TEST(RigidContacts, RestartGivesTheSameBits) {
   Model model;
   model.mesh.X = {{1, 1, 0.93}, {1, 2, 0.8}, {2, 1, 0.99}};
   model.bodies = {pressing_plate()};
-  Scene<TypeParam> whole(model, 2), first(model, 2), second(model, 2);
-  for (int n = 0; n < 20; ++n) whole.step(0.05);
-  for (int n = 0; n < 11; ++n) first.step(0.05);
-  second.bodies[0]->load(first.bodies[0]->save());
-  second.bench.u = first.bench.u, second.bench.v = first.bench.v, second.bench.step_count = 11;
-  for (int n = 11; n < 20; ++n) second.step(0.05);
-  for (std::size_t n = 0; n < 3; ++n) expect_near(second.bench.u[n], whole.bench.u[n], 0);
-  EXPECT_EQ(second.bodies[0]->save(), whole.bodies[0]->save());
-  EXPECT_EQ(second.bodies[0]->work(), whole.bodies[0]->work());
+  expect_same_bits_after_restart([&] { return Scene<TypeParam>(model, 2); });
 }
 
 TEST(RigidContactInput, AnEmptyListMeansTheSurface) {

@@ -62,47 +62,48 @@ struct Draw {
 };
 constexpr std::array<std::array<int, 2>, 5> kinds{{{1, 1}, {2, 1}, {9, 1}, {2, 3000}, {8000, 1}}};
 
+/// Rounding of a squared distance of points of this extent.
 template <class R>
-struct ClosestPoints : ::testing::Test {
-  /// Rounding of a squared distance of points of this extent.
-  static long double tolerance(const std::array<Point, 4>& x) {
-    long double extent = 0;
-    for (const auto& p : x) extent = std::max(extent, ratio(dot(p - x[0], p - x[0]), 1));
-    return 64 * static_cast<long double>(std::numeric_limits<R>::epsilon()) * extent;
-  }
-};
+long double tolerance(const std::array<Point, 4>& x) {
+  long double extent = 0;
+  for (const auto& p : x) extent = std::max(extent, ratio(dot(p - x[0], p - x[0]), 1));
+  return 64 * static_cast<long double>(std::numeric_limits<R>::epsilon()) * extent;
+}
+
+template <class R>
+struct ClosestPoints : ::testing::Test {};
 using Reals = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(ClosestPoints, Reals);
 
-TYPED_TEST(ClosestPoints, OnATriangleAsInExactArithmetic) {
-  using R = TypeParam;
+/// found = closest(four points rounded to R) against exact(the points), and what else check(found) wants.
+template <class R, class Closest, class Exact, class Check>
+void compare(Closest closest, Exact exact, Check check) {
   Draw draw;
   for (const auto& [range, stretch] : kinds)
     for (int i = 0; i < 40000; ++i) {
       const auto x = draw(range, stretch);
-      const auto found =
-          closest_on_triangle(rounded<R>(x[0]), rounded<R>(x[1]), rounded<R>(x[2]), rounded<R>(x[3]));
-      ASSERT_NEAR(static_cast<long double>(found.distance_squared), to_triangle(x[0], x[1], x[2], x[3]),
-                  this->tolerance(x))
+      const auto found = closest(rounded<R>(x[0]), rounded<R>(x[1]), rounded<R>(x[2]), rounded<R>(x[3]));
+      ASSERT_NEAR(static_cast<long double>(found.distance_squared), exact(x[0], x[1], x[2], x[3]),
+                  tolerance<R>(x))
           << range << " " << stretch << " case " << i;
-      for (const R b : found.b) ASSERT_GE(b, -4 * std::numeric_limits<R>::epsilon());
-      ASSERT_NEAR(found.b[0] + found.b[1] + found.b[2], 1, 4 * std::numeric_limits<R>::epsilon());
+      ASSERT_NO_FATAL_FAILURE(check(found));
     }
 }
 
-TYPED_TEST(ClosestPoints, OfSegmentsAsInExactArithmetic) {
+TYPED_TEST(ClosestPoints, OnATriangleAsInExactArithmetic) {
   using R = TypeParam;
-  Draw draw;
-  for (const auto& [range, stretch] : kinds)
-    for (int i = 0; i < 40000; ++i) {
-      const auto x = draw(range, stretch);
-      const auto found =
-          closest_of_segments(rounded<R>(x[0]), rounded<R>(x[1]), rounded<R>(x[2]), rounded<R>(x[3]));
-      ASSERT_NEAR(static_cast<long double>(found.distance_squared), of_segments(x[0], x[1], x[2], x[3]),
-                  this->tolerance(x))
-          << range << " " << stretch << " case " << i;
-      ASSERT_TRUE(found.s >= 0 && found.s <= 1 && found.t >= 0 && found.t <= 1);
-    }
+  constexpr R rounding = 4 * std::numeric_limits<R>::epsilon();
+  compare<R>([](const auto&... x) { return closest_on_triangle(x...); }, to_triangle,
+             [](const auto& found) {
+               for (const R b : found.b) ASSERT_GE(b, -rounding);
+               ASSERT_NEAR(found.b[0] + found.b[1] + found.b[2], 1, rounding);
+             });
+}
+
+TYPED_TEST(ClosestPoints, OfSegmentsAsInExactArithmetic) {
+  compare<TypeParam>(
+      [](const auto&... x) { return closest_of_segments(x...); }, of_segments,
+      [](const auto& found) { ASSERT_TRUE(found.s >= 0 && found.s <= 1 && found.t >= 0 && found.t <= 1); });
 }
 
 TEST(ClosestPointsCases, GiveTheWeightsOfTheFeature) {

@@ -6,8 +6,8 @@
 #include <glisson/core/mesh/box_mesh.hpp>
 #include <glisson/core/mesh/surface.hpp>
 
+#include "tests/contact/free_nodes.hpp"
 #include "tests/contact/surfaces.hpp"
-#include "tests/core/load_bench.hpp"
 
 namespace glisson::contact {
 namespace {
@@ -39,42 +39,23 @@ RigidSurface floor_of(int n = 4, double slope = 0) {
     }
   return surface_of(s);
 }
-void listen_to(RigidSurface& surface, int node_count) {
-  for (int n = 0; n < node_count; ++n) surface.nodes.push_back(n);
+Model model_of(std::vector<Vec3<double>> X, RigidSurface surface) {
+  Model model;
+  model.mesh.X = std::move(X);
+  for (int n = 0; n < model.mesh.node_count(); ++n) surface.nodes.push_back(n);
+  model.surfaces = {std::move(surface)};
+  return model;
 }
 
-/// Free masses under gravity with the surfaces of the model.
 template <class C>
-struct Scene {
-  using R = RealOf<C>;
-  Scene(std::vector<Vec3<double>> X, RigidSurface surface, double mass = 1) : bench(int(X.size()), mass) {
-    model.mesh.X = std::move(X);
-    listen_to(surface, model.mesh.node_count());
-    model.surfaces = {surface};
-    add_rigid_surfaces<BackendOf<C>, R>(bench.backend, model, bench.numbering, bodies);
-  }
-  void step(double dt) {
-    const double kick = bench.step_count == 0 ? 0.5 * dt : dt, t = double(bench.step_count) * dt;
-    StepView<R> view = bench.view(t, dt);
-    view.t_next = double(bench.step_count + 1) * dt;
-    view.advance_per_force = R(dt * kick);
-    auto predicted = bench.u;
-    for (std::size_t n = 0; n < predicted.size(); ++n)
-      predicted[n] = predicted[n] + dt * (bench.v[n] + kick * gravity);
-    bench.put(predicted, bench.predicted(), false);
-    view.u_predicted = bench.predicted();
-    bench.f.assign(bench.f.size(), {});
-    for (auto& body : bodies) bench.forces(*body, view);
-    for (std::size_t n = 0; n < bench.f.size(); ++n) bench.f[n] = bench.f[n] + bench.masses[n] * gravity;
-    bench.advance(dt);
-  }
-  Vec3<double> position(int n) const { return model.mesh.X[std::size_t(n)] + bench.u[std::size_t(n)]; }
-  ContactReport report() const { return dynamic_cast<const ContactSource&>(*bodies[0]).report(); }
-
-  Model model;
-  Bench<C> bench;
-  std::vector<std::unique_ptr<ForceProvider<R>>> bodies;
-  Vec3<double> gravity;
+struct Scene : FreeNodes<C> {
+  Scene(std::vector<Vec3<double>> X, RigidSurface surface, double mass = 1)
+      : FreeNodes<C>(model_of(std::move(X), std::move(surface)), mass,
+                     [](auto& backend, const Model& model, const Numbering& numbering) {
+                       Bodies<C> bodies;
+                       add_rigid_surfaces<BackendOf<C>, RealOf<C>>(backend, model, numbering, bodies);
+                       return bodies;
+                     }) {}
 };
 
 TYPED_TEST(RigidSurfaces, NodesFallOnAFloorAndStayOnIt) {
@@ -161,14 +142,7 @@ TYPED_TEST(RigidSurfaces, WorkIsTheEnergyOfTheNodes) {
   rough.displacement = {0.3, 0, 0.5};
   Scene<TypeParam> scene({{1, 1, 0.1}, {2, 1.5, 0.2}}, rough, 2);
   scene.bench.v[1] = {0.5, 0, -1};
-  const double start = 1.25;
-  for (int n = 0; n < 20; ++n) {
-    const auto before = scene.bench.v;
-    scene.step(0.05);
-    double kinetic = 0;
-    for (std::size_t k = 0; k < 2; ++k) kinetic += dot(before[k], scene.bench.v[k]);
-    EXPECT_NEAR(scene.bodies[0]->work(), kinetic - start, 50 * scene.bench.tolerance()) << n;
-  }
+  expect_work_to_be_the_energy_of_the_nodes(scene, 50);
 }
 
 TYPED_TEST(RigidSurfaces, RestartGivesTheSameBits) {
@@ -176,14 +150,7 @@ TYPED_TEST(RigidSurfaces, RestartGivesTheSameBits) {
   rough.friction = 0.2;
   rough.displacement = {0.3, 0, 0.5};
   const std::vector<Vec3<double>> X{{1, 1, 0.1}, {2, 1.5, 0.2}, {3, 3, 0.05}};
-  Scene<TypeParam> whole(X, rough), first(X, rough), second(X, rough);
-  for (int n = 0; n < 20; ++n) whole.step(0.05);
-  for (int n = 0; n < 11; ++n) first.step(0.05);
-  second.bodies[0]->load(first.bodies[0]->save());
-  second.bench.u = first.bench.u, second.bench.v = first.bench.v, second.bench.step_count = 11;
-  for (int n = 11; n < 20; ++n) second.step(0.05);
-  for (std::size_t n = 0; n < 3; ++n) expect_near(second.bench.u[n], whole.bench.u[n], 0);
-  EXPECT_EQ(second.bodies[0]->save(), whole.bodies[0]->save());
+  expect_same_bits_after_restart([&] { return Scene<TypeParam>(X, rough); });
 }
 
 /// Around a whole sphere the signed distance has the right sign and size, in cavities too.

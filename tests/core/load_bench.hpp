@@ -12,31 +12,10 @@
 #include <glisson/core/loads/upload.hpp>
 #include <glisson/core/numbering.hpp>
 #include <glisson/cpu/emulated_device.hpp>
+#include <glisson/cpu/serial.hpp>
 #include <glisson/cpu/threads.hpp>
 
 namespace glisson {
-
-/// The plainest host backend.
-struct PlainHost {
-  static constexpr Space space = Space::host;
-  template <class T>
-  Buffer<T> allocate(std::size_t n) {
-    return Buffer<T>(new T[n](), {[](void*, T* data, std::size_t) { delete[] data; }, nullptr, n});
-  }
-  template <class T>
-  void copy_in(const T* from, T* to, std::size_t n) {
-    std::copy_n(from, n, to);
-  }
-  template <class T>
-  void copy_out(const T* from, T* to, std::size_t n) {
-    std::copy_n(from, n, to);
-  }
-  template <class F>
-  void for_each(int n, F body) {
-    for (int i = 0; i < n; ++i) body(i);
-  }
-  void* stream() { return nullptr; }
-};
 
 /// Undamped central difference with the members that the engine's steppers have.
 template <class R>
@@ -56,7 +35,7 @@ template <class C>
 using BackendOf = typename C::Backend;
 template <class C>
 using RealOf = typename C::R;
-using BenchCases = ::testing::Types<Case<PlainHost, double>, Case<PlainHost, float>, Case<Threads, double>,
+using BenchCases = ::testing::Types<Case<Serial, double>, Case<Serial, float>, Case<Threads, double>,
                                     Case<Threads, float>, Case<EmulatedDevice, float>>;
 
 /// User node n has the internal number (7 n + 3) mod count, if 7 and count are coprime; identity otherwise.

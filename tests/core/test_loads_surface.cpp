@@ -156,9 +156,9 @@ TYPED_TEST(SurfaceLoads, RestartGivesTheSameBits) {
 
 TEST(SurfaceLoadsInput, RejectsBadLists) {
   const Cube cube;
-  PlainHost backend;
+  Serial backend;
   const auto numbering = shuffled_numbering(8);
-  using Load = TractionLoad<PlainHost, double>;
+  using Load = TractionLoad<Serial, double>;
   EXPECT_THROW(Load(backend, {{{{0, 1, 9, -1}}}, {{1, 0, 0}}, always}, cube.mesh, numbering), Error);
   EXPECT_THROW(Load(backend, {cube.quads, {{1, 0, 0}, {1, 0, 0}}, always}, cube.mesh, numbering), Error);
 }

@@ -1,11 +1,10 @@
 // The same bits every time: twice, for any number of threads, interrupted and resumed.
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <sstream>
 
-#include <tests/support/cases.hpp>
 #include <tests/support/models.hpp>
+#include <tests/support/same_bits.hpp>
 
 namespace glisson::test {
 namespace {
@@ -35,24 +34,11 @@ Model busy_model(Formulation formulation, bool quasi_static) {
   return model;
 }
 
-bool same_bits(const std::vector<Vec3<double>>& a, const std::vector<Vec3<double>>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
-}
-
 class Repeatability : public Matrix {};
 
 TEST_P(Repeatability, TwiceAndWithOneTwoAndThreeThreads) {
   for (const auto formulation : {Formulation::t4, Formulation::t4anp, Formulation::h8}) {
-    const Model model = busy_model(formulation, false);
-    auto run = [&](int threads) {
-      auto simulation = simulate(model, GetParam(), threads);
-      simulation->step(700);
-      return simulation->displacement();
-    };
-    const auto first = run(1);
-    EXPECT_TRUE(same_bits(first, run(1)));
-    EXPECT_TRUE(same_bits(first, run(2)));
-    EXPECT_TRUE(same_bits(first, run(3)));
+    expect_same_bits_for_any_threads(busy_model(formulation, false), GetParam(), 700);
   }
 }
 

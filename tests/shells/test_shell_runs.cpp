@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include <tests/shells/sheets.hpp>
-#include <tests/support/cases.hpp>
 #include <tests/support/models.hpp>
+#include <tests/support/same_bits.hpp>
 
 namespace glisson::test {
 namespace {
@@ -81,6 +81,14 @@ TEST(ShellDynamics, APlateVibratesAtItsFirstFrequency) {
   printf("    first frequency over exact: %.4f\n", pi / half_period / omega);
   EXPECT_NEAR(pi / half_period / omega, 1, 0.02);
   EXPECT_LT(std::abs(simulation->energies().imbalance()), 0.01 * simulation->energies().initial);
+}
+
+TEST(ShellThreads, GiveTheSameBitsForAnyNumber) {
+  double omega = 0;
+  Model model = plate(60, omega);
+  model.shells[0].prony = {{0.3, 0.2}};
+  const auto u = expect_same_bits_for_any_threads(model, threads_float, 60);
+  EXPECT_GT(u[30 + 61 * 30].z, 0);
 }
 
 TEST(ShellDynamics, ACheckpointGoesOnWithTheSameBits) {
