@@ -51,10 +51,10 @@ template <class C>
 struct Scene : FreeNodes<C> {
   Scene(std::vector<Vec3<double>> X, RigidSurface surface, double mass = 1)
       : FreeNodes<C>(model_of(std::move(X), std::move(surface)), mass,
-                     [](auto& backend, const Model& model, const Numbering& numbering) {
-                       Bodies<C> bodies;
-                       add_rigid_surfaces<BackendOf<C>, RealOf<C>>(backend, model, numbering, bodies);
-                       return bodies;
+                     [](auto& backend, const Model& m, const Numbering& numbering) {
+                       Bodies<C> result;
+                       add_rigid_surfaces<BackendOf<C>, RealOf<C>>(backend, m, numbering, result);
+                       return result;
                      }) {}
 };
 
