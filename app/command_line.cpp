@@ -94,7 +94,7 @@ void add_mesh(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("mesh", "Make a mesh of a label image (.nii, .nii.gz, .inr, .inr.gz)");
   auto a = std::make_shared<MeshArguments>();
   command->add_option("image", a->image, "label image")->required();
-  command->add_option("-o,--output", a->output, "mesh file: .vtu, .vtk or .msh")->required();
+  command->add_option("-o,--output", a->output, "mesh file: .vtu, .vtk or .msh (default IMAGE.vtu, here)");
   command->add_option("--voxel", a->voxel, "edge of an element with its unit: 6mm, 0.5cm")->required();
   command->add_option("--element", a->element, "T4 (six per voxel) or H8")
       ->check(CLI::IsMember({"T4", "H8"}));
@@ -205,7 +205,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error,
     const bool known = std::find(names.begin(), names.end(), word) != names.end();
     if (known || !word.starts_with("-") || text.find(word) == std::string::npos) continue;
     const std::string near = detail::nearest(word, names);
-    if (!near.empty()) return text + "; did you mean " + near + "?";
+    if (!near.empty()) return std::string(text).append("; did you mean ").append(near).append("?");
   }
   return text + ". See glisson " + chosen.front()->get_name() + " --help.";
 }

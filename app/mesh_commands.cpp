@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <map>
 
 #include <glisson/app/commands.hpp>
@@ -36,6 +37,13 @@ double length_in_mm(const std::string& text) {
     throw Error(ErrorKind::usage,
                 "--voxel '" + text + "' is not a length. Write a positive number and its unit, as in 6mm.");
   return value * found->second;
+}
+
+/// labels.nii.gz -> labels.vtu, in the working directory.
+std::string mesh_beside(const std::string& image) {
+  std::filesystem::path name = std::filesystem::path(image).filename();
+  if (name.extension() == ".gz") name.replace_extension();
+  return name.replace_extension(".vtu").string();
 }
 
 void print_mesh(const Mesh& mesh) {
@@ -100,8 +108,9 @@ int print_image(const std::string& file) {
 }  // namespace
 
 int mesh(const MeshArguments& arguments) {
-  if (!ends_with_any(arguments.output, {".vtu", ".vtk", ".msh"}))
-    throw Error(ErrorKind::usage, "-o '" + arguments.output + "': a mesh is written as .vtu, .vtk or .msh.");
+  const std::string output = arguments.output.empty() ? mesh_beside(arguments.image) : arguments.output;
+  if (!ends_with_any(output, {".vtu", ".vtk", ".msh"}))
+    throw Error(ErrorKind::usage, "-o '" + output + "': a mesh is written as .vtu, .vtk or .msh.");
   MesherOptions options;
   options.voxel_mm = length_in_mm(arguments.voxel);
   options.element = arguments.element == "H8" ? Shape::hexahedron : Shape::tetrahedron;
@@ -115,9 +124,9 @@ int mesh(const MeshArguments& arguments) {
   for (const auto& r : made.regions)
     fmt::print("label {}: {} elements, {:.1f} mL ({:.1f} mL in the image)\n", r.label, r.element_count,
                r.mesh_mm3 / 1000, r.image_mm3 / 1000);
-  write_mesh(arguments.output, made.mesh);
+  write_mesh(output, made.mesh);
   print_mesh(made.mesh);
-  fmt::print("written: {}\n", arguments.output);
+  fmt::print("written: {}\n", output);
   return exit_done;
 }
 

@@ -12,6 +12,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+#if defined(__clang__)
+constexpr const char* compiler = "clang " __clang_version__;
+#else
+constexpr const char* compiler = "g++ " __VERSION__;
+#endif
+
 Json energies_of(const Energies& e) {
   return {{"kinetic", e.kinetic},       {"strain", e.strain},   {"hourglass", e.hourglass},
           {"viscous", e.viscous},       {"damping", e.damping}, {"external", e.external},
@@ -47,7 +53,7 @@ Json timings_of(const RunSummary& s) {
 }
 
 Json as_json(const RunSummary& s) {
-  Json j{{"program", "Glisson"}, {"version", version}, {"status", s.status}};
+  Json j{{"program", "Glisson"}, {"version", version}, {"compiler", compiler}, {"status", s.status}};
   if (!s.message.empty()) j["message"] = s.message;
   j["model"] = {
       {"name", s.model}, {"units", s.units}, {"nodes", s.node_count}, {"elements", s.element_count}};

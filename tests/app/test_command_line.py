@@ -17,7 +17,7 @@ import unittest
 import malformed
 from simulations import box
 
-GLISSON = sys.argv.pop(1)
+GLISSON = os.path.abspath(sys.argv.pop(1))
 
 
 def run(*arguments, timeout=120, **options):
@@ -121,6 +121,7 @@ class Runs(InFolder):
         summary = json.loads((out / "summary.json").read_text())
         self.assertEqual(summary["status"], "done")
         self.assertEqual(summary["steps"]["count"], summary["steps"]["planned"])
+        self.assertEqual((summary["version"].count("."), summary["compiler"].split()[0] in ("g++", "clang")), (2, True))
         self.assertAlmostEqual(summary["time_s"], 0.5)
         self.assertGreater(summary["largest_displacement"]["value"], 0.0099)
         energies = summary["energies"]
@@ -170,8 +171,10 @@ class Runs(InFolder):
         image = self.write("cube.inr", header + b"\n" * (256 - len(header) - 4) + b"##}\n" + b"\7" * 216)
         self.expect(run("info", image), 0, "7 (216 voxels)")
         mesh = self.folder / "cube.vtu"
-        self.expect(run("mesh", image, "-o", mesh, "--voxel", "3mm", "--labels", "7"), 0, "48 elements")
+        self.expect(run("mesh", image, "--voxel", "3mm", "--element", "H8", cwd=self.folder), 0, "8 hexahedra", "written: cube.vtu")
+        self.expect(run("info", mesh), 0, "8 hexahedra")
         self.expect(run("mesh", image, "-o", mesh, "--voxel", "3"), 2, "as in 6mm")
+        self.expect(run("mesh", image, "-o", mesh, "--voxel", "3mm", "--labels", "7"), 0, "48 elements")
         self.expect(run("mesh", image, "-o", mesh, "--voxel", "3mm", "--labels", "9"), 3, "cube.inr", "7 (216 voxels)")
         for name in ("cube.msh", "cube.vtk", "again.vtu"):
             self.expect(run("convert", mesh, self.folder / name), 0)

@@ -1,6 +1,8 @@
 // Rotation-free shells against published and closed solutions; the tables in doc/shells.md come from here.
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include <tests/shells/sheets.hpp>
 #include <tests/shells/statics.hpp>
 
@@ -147,6 +149,8 @@ struct Benchmark {
   double reference;
   std::vector<int> meshes;
 };
+
+void PrintTo(const Benchmark& b, std::ostream* out) { *out << b.name; }
 
 class ShellBenchmarks : public testing::TestWithParam<Benchmark> {};
 

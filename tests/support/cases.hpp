@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct Case {
   /// What single precision may add to an error, relative to the largest displacement.
   double rounding() const { return precision == Precision::single_precision ? 2e-5 : 1e-10; }
 };
+
+/// Names of tests must not hold the bytes of pointers.
+inline void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 inline std::unique_ptr<AnySimulation> simulate(const Model& model, const Case& c, int threads = 2) {
   SimulationOptions options;
