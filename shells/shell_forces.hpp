@@ -9,6 +9,7 @@
 #include <glisson/core/backend.hpp>
 #include <glisson/core/loads/upload.hpp>
 #include <glisson/core/numbering.hpp>
+#include <glisson/core/solids/energy_sum.hpp>
 #include <glisson/core/solids/solid_forces.hpp>
 #include <glisson/shells/laws/laws.hpp>
 #include <glisson/shells/shell_kernels.hpp>
@@ -156,12 +157,8 @@ class ShellForces final : public SolidForces<R> {
                                                    f_element_.get(), step.f});
   }
   double strain_energy(const StepView<R>& step) override {
-    double sum = solids_ ? solids_->strain_energy(step) : 0;
     for (auto& block : blocks_) block->energy(step);
-    std::vector<double> host(element_count_);
-    backend_.copy_out(energy_.get(), host.data(), host.size());
-    for (const double e : host) sum += e;
-    return sum;
+    return (solids_ ? solids_->strain_energy(step) : 0) + sum_(backend_, energy_, element_count_);
   }
   double hourglass_energy(const StepView<R>& step) override {
     return solids_ ? solids_->hourglass_energy(step) : 0;
@@ -209,6 +206,7 @@ class ShellForces final : public SolidForces<R> {
   Buffer<int> incident_nodes_, begin_, slots_;
   Buffer<Vec4<R>> f_element_;
   Buffer<double> energy_;
+  EnergySum<B> sum_;
 };
 
 }  // namespace glisson::shells

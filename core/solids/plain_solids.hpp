@@ -7,6 +7,7 @@
 
 #include <glisson/core/backend.hpp>
 #include <glisson/core/kernels/averaged_pressure.hpp>
+#include <glisson/core/solids/energy_sum.hpp>
 #include <glisson/core/solids/host_blocks.hpp>
 #include <glisson/core/solids/solid_forces.hpp>
 #include <glisson/core/solids/solid_kernels.hpp>
@@ -62,6 +63,8 @@ class PlainSolids final : public SolidForces<R> {
   Buffer<Vec4<R>> f_element_;
   Buffer<int> begin_, slot_;
   Buffer<double> energy_;
+  EnergySum<B> sum_;
+  std::vector<double> energy_on_host_;           ///< its copy, once it was asked for; of devices only
   Buffer<int> average_begin_, average_element_;  ///< T4ANP only
   Buffer<R> average_weight_, element_pressure_, nodal_pressure_;
   bool averaged_ = false;
@@ -171,11 +174,7 @@ void PlainSolids<B, R>::add_forces(const StepView<R>& step) {
 
 template <Backend B, class R>
 double PlainSolids<B, R>::sum_energy() {
-  std::vector<double> host(static_cast<std::size_t>(element_count_));
-  backend_.copy_out(energy_.get(), host.data(), host.size());
-  double sum = 0;
-  for (const double e : host) sum += e;
-  return sum;
+  return sum_(backend_, energy_, static_cast<std::size_t>(element_count_));
 }
 
 template <Backend B, class R>
