@@ -12,3 +12,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/GlissonConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/GlissonConfig.cmake ${PROJECT_BINARY_DIR}/GlissonConfigVersion.cmake
   DESTINATION ${GLISSON_PACKAGE_DIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/models/format/glisson.xsd DESTINATION ${CMAKE_INSTALL_DATADIR}/glisson)

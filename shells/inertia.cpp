@@ -41,7 +41,7 @@ template <int slots>
 double largest_eigenvalue(const Eigen::MatrixXd& D, const Eigen::MatrixXd& forces,
                           const double (&mass)[slots]) {
   Eigen::MatrixXd scaled = forces;
-  for (int a = 0; a < slots; ++a) scaled.middleRows(3 * a, 3) /= std::sqrt(mass[a]);
+  for (int a = 0; a < slots; ++a) scaled.middleRows(Eigen::Index{3} * a, 3) /= std::sqrt(mass[a]);
   const Eigen::MatrixXd G = scaled.transpose() * scaled;
   const Eigen::MatrixXd L = D.llt().matrixL();
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(L.transpose() * G * L, Eigen::EigenvaluesOnly)
@@ -77,7 +77,7 @@ TriangleStep membrane_step(const Membrane::Constants<double>& c, const Eigen::Ma
   for (int k = 0; k < 3; ++k) {
     Vec3<double> f[3]{};
     subtract_stress(c.point, rest, {k == 0 ? 1. : 0., k == 1 ? 1. : 0., k == 2 ? 1. : 0.}, 1.0, f);
-    for (int a = 0; a < 3; ++a) forces.block<3, 1>(3 * a, k) << f[a].x, f[a].y, f[a].z;
+    for (int a = 0; a < 3; ++a) forces.block<3, 1>(Eigen::Index{3} * a, k) << f[a].x, f[a].y, f[a].z;
   }
   const double third[3] = {mass / 3, mass / 3, mass / 3};
   return {2 / std::sqrt(largest_eigenvalue(c.volume * D, forces, third)), 1 / std::sqrt(squares(c.point.dN))};

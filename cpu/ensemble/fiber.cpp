@@ -1,5 +1,6 @@
 #include <glisson/cpu/ensemble/fiber.hpp>
 
+#include <bit>
 #include <cstdint>
 
 #include <sys/mman.h>
@@ -35,7 +36,7 @@ struct Fiber::State {
 };
 
 void Fiber::start(unsigned high, unsigned low) {
-  auto* state = reinterpret_cast<State*>((static_cast<std::uintptr_t>(high) << 32) | low);
+  auto* state = std::bit_cast<State*>((static_cast<std::uintptr_t>(high) << 32) | low);
   state->stacks.enter();
   state->body();
   state->done = true;

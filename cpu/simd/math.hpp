@@ -34,6 +34,13 @@ GLISSON_INLINE Pack<W> not_a_number() {
   return Pack<W>(std::numeric_limits<float>::quiet_NaN());
 }
 
+/// a - b modulo 2^32: signed numbers must not overflow, also where the result is thrown away.
+template <int W>
+GLISSON_INLINE typename Pack<W>::Ints wrapped_difference(typename Pack<W>::Ints a, unsigned b) {
+  typedef unsigned Unsigned __attribute__((vector_size(4 * W)));
+  return reinterpret_cast<typename Pack<W>::Ints>(reinterpret_cast<Unsigned>(a) - b);
+}
+
 /// 2^k for -126 <= k <= 127.
 template <int W>
 GLISSON_INLINE Pack<W> power_of_two(typename Pack<W>::Ints k) {
@@ -78,7 +85,7 @@ template <int W>
 GLISSON_INLINE Pack<W> log_1p(Pack<W> x) {
   using P = Pack<W>;
   const P one(1), u = one + x;
-  const auto shifted = detail::as_ints(u) - 0x3f3504f3;  // bits of 1/sqrt 2
+  const auto shifted = detail::wrapped_difference<W>(detail::as_ints(u), 0x3f3504f3u);  // bits of 1/sqrt 2
   const auto k = shifted >> 23;
   const P k_float = detail::to_floats<W>(k);
   const P m = detail::as_floats<W>((shifted & 0x007fffff) + 0x3f3504f3);

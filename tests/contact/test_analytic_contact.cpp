@@ -14,8 +14,8 @@ TYPED_TEST_SUITE(RigidContacts, BenchCases);
 
 template <class C>
 struct Scene : FreeNodes<C> {
-  explicit Scene(const Model& model, double mass = 1)
-      : FreeNodes<C>(model, mass, [](auto& backend, const Model& m, const Numbering& numbering) {
+  explicit Scene(const Model& its_model, double mass = 1)
+      : FreeNodes<C>(its_model, mass, [](auto& backend, const Model& m, const Numbering& numbering) {
           return make_rigid_bodies<BackendOf<C>, RealOf<C>>(backend, m, numbering);
         }) {}
 };

@@ -48,6 +48,7 @@ DisplayInMemory::DisplayInMemory() {
   std::string display = ":";
   for (char c = 0; read(number[0], &c, 1) == 1 && c != '\n';) display += c;
   close(number[0]);
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): VTK starts its threads later
   if (display.size() > 1) setenv("DISPLAY", display.c_str(), 1);
 }
 
