@@ -123,13 +123,13 @@ stage_asan() {
   export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:allocator_may_return_null=1
   export UBSAN_OPTIONS=print_stacktrace=1
   build asan || return 0
-  run_ctest "address and undefined sanitizers" build-asan --exclude-regex '^checks\.' --label-exclude slow
+  run_ctest "address and undefined sanitizers" build-asan --exclude-regex '^checks\.'
 }
 
 stage_tsan() {
   export TSAN_OPTIONS=halt_on_error=1
-  build tsan test_cpu test_scenarios || return 0
-  run_ctest "thread sanitizer" build-tsan --tests-regex 'Team|Threads|PatchSolids|Repeatability|Checkpoint' --label-exclude slow
+  build tsan test_cpu test_scenarios test_run test_contact test_shells || return 0
+  run_ctest "thread sanitizer" build-tsan --tests-regex 'Team|Threads|PatchSolids|Repeatability|Checkpoint|^Ensemble'
 }
 
 # Every kernel compiled for one architecture: calls from device to host code and spills of the kernels in float are errors.
