@@ -18,17 +18,18 @@ template <class R, class Stepper>
 struct AdvanceNodes {
   Vec4<R>* u;  ///< displacement [m]                [node_count]
   Vec4<R>* v;  ///< velocity [m/s], w: 1/mass [1/kg] [node_count]
-  Vec4<R>* f;  ///< force [N]                       [node_count]
-  Stepper stepper;
+  Vec4<R>* f;  ///< force [N], w: 0                 [node_count]
+  typename Stepper::Rows stepper;
 
-  GLISSON_HD void operator()(int n) const {
-    const Vec4<R> v_old = v[n];
-    const Vec3<R> w = stepper.velocity(vector_part(v_old), vector_part(f[n]), v_old.w);
-    const R dt = stepper.drift;
-    const Vec4<R> u_old = u[n];
-    v[n] = {w.x, w.y, w.z, v_old.w};
-    u[n] = {u_old.x + dt * w.x, u_old.y + dt * w.y, u_old.z + dt * w.z, u_old.w};
+  GLISSON_HD void operator()(int n) const { advance(n, v[n]); }
+  /// Returns the new v. All loads come before the stores: the arrays might overlap for all that a compiler
+  /// knows.
+  GLISSON_HD Vec4<R> advance(int n, const Vec4<R>& v_old) const {
+    const Vec4<R> v_new = stepper.velocity(v_old, f[n]), u_new = u[n] + stepper.drift * v_new;
+    v[n] = v_new;
+    u[n] = u_new;
     f[n] = {};
+    return v_new;
   }
 };
 
@@ -37,18 +38,17 @@ struct AdvanceNodes {
 /// residual of 1e-4.
 template <class R, class Stepper>
 struct AdvanceNodesCompensated {
-  AdvanceNodes<R, Stepper> advance;
-  Vec4<R>* carry;  ///< what u still owes [m]  [node_count]
+  AdvanceNodes<R, Stepper> nodes;
+  Vec4<R>* carry;  ///< what u still owes [m], w: 0  [node_count]
 
   GLISSON_HD void operator()(int n) const {
-    const Vec4<R> before = advance.u[n], c = carry[n];
-    advance.u[n] = {R(0), R(0), R(0), before.w};
-    advance(n);
-    const Vec4<R> d = advance.u[n];
-    const Vec3<R> add{d.x - c.x, d.y - c.y, d.z - c.z};
-    const Vec4<R> sum{before.x + add.x, before.y + add.y, before.z + add.z, before.w};
-    carry[n] = {(sum.x - before.x) - add.x, (sum.y - before.y) - add.y, (sum.z - before.z) - add.z, R(0)};
-    advance.u[n] = sum;
+    const Vec4<R> before = nodes.u[n], owed = carry[n];
+    const Vec4<R> v_new = nodes.stepper.velocity(nodes.v[n], nodes.f[n]);
+    const Vec4<R> add = nodes.stepper.drift * v_new - owed, sum = before + add;
+    carry[n] = (sum - before) - add;
+    nodes.v[n] = v_new;
+    nodes.u[n] = sum;
+    nodes.f[n] = {};
   }
 };
 
@@ -66,6 +66,8 @@ struct PredictNodes {
   }
 };
 
+constexpr int node_energy_chunk = 64;  ///< nodes
+
 /// Energy terms of one chunk of nodes around a step.
 struct NodeEnergies {
   double kinetic = 0;        ///< of this step: sum m v(n-1/2).v(n+1/2) / 2 [J]
@@ -78,8 +80,8 @@ struct NodeEnergies {
 /// the balance of a linear system closes to round-off at any stable dt.
 template <class R, class Stepper>
 struct AdvanceNodesMonitored {
-  static constexpr int chunk = 64, cost = 4 * chunk;
-  AdvanceNodes<R, Stepper> advance;
+  static constexpr int chunk = node_energy_chunk, cost = 4 * chunk;
+  AdvanceNodes<R, Stepper> nodes;
   NodeEnergies* energies;  ///< [ceil(node_count / chunk)]
   int node_count;
   double damping;   ///< [1/s]
@@ -90,9 +92,7 @@ struct AdvanceNodesMonitored {
     const int end = node_count < (c + 1) * chunk ? node_count : (c + 1) * chunk;
     double kinetic = 0, before = 0, ahead = 0;
     for (int n = c * chunk; n < end; ++n) {
-      const Vec4<R> a = advance.v[n];
-      advance(n);
-      const Vec4<R> b = advance.v[n];
+      const Vec4<R> a = nodes.v[n], b = nodes.advance(n, a);
       if (!(a.w > R(0))) continue;  // massless nodes do not move
       const double m = 1 / double(a.w);
       const double ab = double(a.x * b.x + a.y * b.y + a.z * b.z),
@@ -112,11 +112,11 @@ struct AdvanceNodesMonitored {
 };
 
 /// The same between two accounts: only the dissipation, m |a + b|^2 with a = v(n-1/2), b = v(n+1/2), goes on.
-/// The sum over a chunk is in R: a third of the time.
+/// The sum over a chunk is in R, lane by lane: a third of the time.
 template <class R, class Stepper>
 struct AdvanceNodesDamped {
-  static constexpr int chunk = AdvanceNodesMonitored<R, Stepper>::chunk, cost = 2 * chunk;
-  AdvanceNodes<R, Stepper> advance;
+  static constexpr int chunk = node_energy_chunk, cost = 2 * chunk;
+  AdvanceNodes<R, Stepper> nodes;
   NodeEnergies* energies;  ///< [ceil(node_count / chunk)]
   int node_count;
   double damping;  ///< [1/s]
@@ -124,15 +124,13 @@ struct AdvanceNodesDamped {
 
   GLISSON_HD void operator()(int c) const {
     const int end = node_count < (c + 1) * chunk ? node_count : (c + 1) * chunk;
-    R sum = R(0);
+    Vec4<R> sum{};
     for (int n = c * chunk; n < end; ++n) {
-      const Vec3<R> a = vector_part(advance.v[n]);
-      advance(n);
-      const Vec4<R> b = advance.v[n];
-      const Vec3<R> both{a.x + b.x, a.y + b.y, a.z + b.z};
-      sum += (both.x * both.x + both.y * both.y + both.z * both.z) / (b.w > R(0) ? b.w : R(INFINITY));
+      const Vec4<R> a = nodes.v[n], both = a + nodes.advance(n, a);
+      const R mass = a.w > R(0) ? R(1) / a.w : R(0);
+      sum = sum + mass * (both * both);
     }
-    energies[c].damping += 0.25 * damping * dt * double(sum);
+    energies[c].damping += 0.25 * damping * dt * (double(sum.x) + double(sum.y) + double(sum.z));
   }
 };
 

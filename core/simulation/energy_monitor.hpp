@@ -17,7 +17,7 @@ double largest_term(const Energies& energies);
 /// Accumulates what the node update dissipates and holds the last complete account.
 template <class B, class R>
 class EnergyMonitor {
-  static constexpr int chunk = AdvanceNodesMonitored<R, int>::chunk;
+  static constexpr int chunk = node_energy_chunk;
 
  public:
   EnergyMonitor(B& backend, int node_count)

@@ -13,8 +13,8 @@ bool Simulation<B, R>::finished() const {
   return relaxation_ ? relaxation_->ended(step_) : plan_.finished(step_);
 }
 
-/// The time that load curves see: in quasi-static mode the loads grow to their final value over the ramp, whose
-/// length is nobody's business if the model names none.
+/// The time that load curves see: in quasi-static mode the loads grow to their final value over the ramp,
+/// whose length is nobody's business if the model names none.
 template <Backend B, class R>
 double Simulation<B, R>::load_time(std::int64_t step) const {
   if (!relaxation_) return plan_.time(step);
@@ -83,7 +83,7 @@ void Simulation<B, R>::predict_and_touch(StepView<R>& view) {
 template <Backend B, class R>
 void Simulation<B, R>::advance(bool energies) {
   with_stepper([&]<class S>(const S& stepper) {
-    const AdvanceNodes<R, S> body{nodes_.u(), nodes_.v(), nodes_.f(), stepper};
+    const AdvanceNodes<R, S> body{nodes_.u(), nodes_.v(), nodes_.f(), stepper.rows()};
     if (relaxation_)
       backend_.for_each(nodes_.count(), AdvanceNodesCompensated<R, S>{body, relaxation_->carry()});
     else if (energies)

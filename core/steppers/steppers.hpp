@@ -26,6 +26,18 @@ struct CentralDifference {
     const R g = kick * inverse_mass;
     return {keep * v.x + g * f.x, keep * v.y + g * f.y, keep * v.z + g * f.z};
   }
+
+  /// The same for rows x y z w of nodes, where v.w is the inverse mass: factors for all four lanes, of which
+  /// the last lets w pass. Compilers turn equal operations on four lanes into one.
+  struct Rows {
+    Vec4<R> keep, kick, drift;
+    GLISSON_HD Vec4<R> velocity(const Vec4<R>& v, const Vec4<R>& f) const {
+      return keep * v + (v.w * kick) * f;
+    }
+  };
+  Rows rows() const {
+    return {{keep, keep, keep, R(1)}, {kick, kick, kick, R(0)}, {drift, drift, drift, R(0)}};
+  }
 };
 
 /// Explicit Newmark, beta = 0, gamma = 1/2 (Johnsen 2016, eq. 4.15). With v(n+1/2) = v(n) + dt/2 a(n) its
@@ -48,6 +60,16 @@ struct Newmark {
             v.y + kick * (f.y * inverse_mass - damping * v.y),
             v.z + kick * (f.z * inverse_mass - damping * v.z)};
   }
+
+  /// As in CentralDifference.
+  struct Rows {
+    R damping;
+    Vec4<R> kick, drift;
+    GLISSON_HD Vec4<R> velocity(const Vec4<R>& v, const Vec4<R>& f) const {
+      return v + kick * (v.w * f - damping * v);
+    }
+  };
+  Rows rows() const { return {damping, {kick, kick, kick, R(0)}, {drift, drift, drift, R(0)}}; }
 };
 
 }  // namespace glisson

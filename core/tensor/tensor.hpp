@@ -40,6 +40,23 @@ template <class R>
 GLISSON_HD Vec3<R> operator*(const R& s, const Vec3<R>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
+/// Lane by lane, w included.
+template <class R>
+GLISSON_HD Vec4<R> operator+(const Vec4<R>& a, const Vec4<R>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+}
+template <class R>
+GLISSON_HD Vec4<R> operator-(const Vec4<R>& a, const Vec4<R>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
+}
+template <class R>
+GLISSON_HD Vec4<R> operator*(const Vec4<R>& a, const Vec4<R>& b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w};
+}
+template <class R>
+GLISSON_HD Vec4<R> operator*(const R& s, const Vec4<R>& a) {
+  return {s * a.x, s * a.y, s * a.z, s * a.w};
+}
 template <class R>
 GLISSON_HD R dot(const Vec3<R>& a, const Vec3<R>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
