@@ -16,6 +16,7 @@ namespace glisson {
 /// All in [J].
 struct Energies {
   double kinetic = 0, strain = 0, hourglass = 0;
+  double shell = 0;       ///< the part of `strain` in membranes and shells
   double viscous = 0;     ///< dissipated by Prony terms (internal work minus strain energy); 0 without them
   double damping = 0;     ///< dissipated by mass-proportional damping
   double external = 0;    ///< work of forces, pressure, gravity, springs, user providers

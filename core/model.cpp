@@ -18,6 +18,10 @@ const char* name_of(Formulation formulation) {
   return "?";
 }
 
+const char* name_of(ShellFormulation formulation) {
+  return formulation == ShellFormulation::membrane ? "membrane" : "rotation-free";
+}
+
 Shape shape_of(Formulation formulation) {
   const bool tetrahedron = formulation == Formulation::t4 || formulation == Formulation::t4anp;
   return tetrahedron ? Shape::tetrahedron : Shape::hexahedron;

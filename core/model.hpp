@@ -54,6 +54,8 @@ enum class ShellFormulation {
   rotation_free,  ///< EBST1: curvature from the three neighbours, displacements only (Flores & Onate 2005)
 };
 
+const char* name_of(ShellFormulation formulation);
+
 /// Triangles that share a formulation, a law and its parameters; every triangle belongs to exactly one.
 struct ShellSection {
   std::string name;  ///< for messages: "ShellElementSet at line 12"
@@ -65,7 +67,8 @@ struct ShellSection {
   double thickness = 0;                  ///< at rest [m]
   std::vector<double> element_density, element_thickness;  ///< [elements], or empty: the values above
   Vec3<double> direction;  ///< of the first local axis, projected onto each triangle; zero: its first edge
-  bool wrinkling = false;  ///< membrane: compression makes wrinkles instead of stress (tension field)
+  std::vector<Vec3<double>> element_direction;  ///< [elements], or empty: the one above
+  bool wrinkling = false;        ///< membrane: compression makes wrinkles instead of stress (tension field)
   std::vector<PronyTerm> prony;  ///< on the whole stress in the plane
   std::vector<int> elements;     ///< triangles of Mesh::triangles
 
@@ -73,6 +76,9 @@ struct ShellSection {
     return element_thickness.empty() ? thickness : element_thickness[k];
   }
   double density_of(std::size_t k) const { return element_density.empty() ? density : element_density[k]; }
+  const Vec3<double>& direction_of(std::size_t k) const {
+    return element_direction.empty() ? direction : element_direction[k];
+  }
 };
 
 /// Axes bit mask: 1 = x, 2 = y, 4 = z.

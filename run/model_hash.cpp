@@ -44,7 +44,8 @@ class Hasher {
   void add(const Section& s) { all(s.formulation, s.material, s.elements, s.hourglass); }
   void add(const ShellSection& s) {
     all(s.formulation, s.law, s.parameters, s.bending_E, s.bending_nu, s.density, s.thickness,
-        s.element_density, s.element_thickness, s.direction, s.wrinkling, s.prony, s.elements);
+        s.element_density, s.element_thickness, s.direction, s.element_direction, s.wrinkling, s.prony,
+        s.elements);
   }
   void add(const FixedNodes& c) { all(c.nodes, c.axes); }
   void add(const PrescribedDisplacement& c) { all(c.nodes, c.axes, c.values, c.curve); }

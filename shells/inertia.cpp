@@ -173,7 +173,7 @@ void add_inertia(const Model& model, InertialMass& inertia) {
       for (std::size_t p = 0; p < 4; ++p)
         if (const int t = block.patch[4 * k + p]; t >= 0) factor[at(t)] = std::max(factor[at(t)], wish);
       if (const double dt = std::max(steps[i], wanted); dt < inertia.step.dt)
-        inertia.step.dt = dt, inertia.step.element = -1;
+        inertia.step = {dt, -1, block.section->elements[k], inertia.step.smallest_size};
     }
   double before = 0, total = 0;
   for (const double m : inertia.mass) before += m;

@@ -70,8 +70,7 @@ class MirrorPlanes {
 };
 
 /// The section's direction where it is not normal to the triangle, else its first side.
-Vec3<double> first_axis(const ShellSection& section, const Vec3<double>& a, const Vec3<double>& normal) {
-  const auto& d = section.direction;
+Vec3<double> first_axis(const Vec3<double>& d, const Vec3<double>& a, const Vec3<double>& normal) {
   const double length = std::sqrt(dot(d, d));
   if (!(length > 0)) return a;
   const auto in_plane = d - dot(d, normal) * normal;
@@ -90,7 +89,7 @@ class ShellBuilder {
     Vec3<double> X[6];
     for (int a = 0; a < 3; ++a) X[a] = model_.mesh.X[at(t[at(a)])];
     const auto normal = unit(cross(X[1] - X[0], X[2] - X[0]));
-    const auto along = first_axis(section, X[1] - X[0], normal);
+    const auto along = first_axis(section.direction_of(k), X[1] - X[0], normal);
     const double h = section.thickness_of(k);
     block.nodes.insert(block.nodes.end(), t.begin(), t.end());
     block.pushes.insert(block.pushes.end(), 3, 1);

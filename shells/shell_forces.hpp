@@ -158,8 +158,10 @@ class ShellForces final : public SolidForces<R> {
   }
   double strain_energy(const StepView<R>& step) override {
     for (auto& block : blocks_) block->energy(step);
-    return (solids_ ? solids_->strain_energy(step) : 0) + sum_(backend_, energy_, element_count_);
+    shell_energy_ = sum_(backend_, energy_, element_count_);
+    return (solids_ ? solids_->strain_energy(step) : 0) + shell_energy_;
   }
+  double shell_energy() const override { return shell_energy_; }
   double hourglass_energy(const StepView<R>& step) override {
     return solids_ ? solids_->hourglass_energy(step) : 0;
   }
@@ -203,6 +205,7 @@ class ShellForces final : public SolidForces<R> {
   std::vector<std::unique_ptr<ShellBlock<R>>> blocks_;
   int node_count_ = 0;
   std::size_t element_count_ = 0, bytes_ = 0;
+  double shell_energy_ = 0;  ///< of the last strain_energy() [J]
   Buffer<int> incident_nodes_, begin_, slots_;
   Buffer<Vec4<R>> f_element_;
   Buffer<double> energy_;

@@ -52,7 +52,7 @@ Plate<double> RigidMotion::plate() const {
 }
 
 std::vector<int> candidate_nodes(const std::vector<int>& listed, const Mesh& mesh) {
-  return listed.empty() ? nodes_of(outer_surface(mesh)) : listed;
+  return listed.empty() ? outer_nodes(mesh) : listed;
 }
 
 }  // namespace glisson::contact

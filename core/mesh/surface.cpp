@@ -1,6 +1,7 @@
 #include <glisson/core/mesh/surface.hpp>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/core/mesh/triangles.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -128,6 +129,13 @@ std::vector<int> nodes_of(std::span<const Facet> facets) {
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
+}
+
+std::vector<int> outer_nodes(const Mesh& mesh) {
+  auto facets = outer_surface(mesh);
+  const auto triangles = facets_of(mesh.triangles);
+  facets.insert(facets.end(), triangles.begin(), triangles.end());
+  return nodes_of(facets);
 }
 
 }  // namespace glisson

@@ -26,4 +26,7 @@ Vec3<double> facet_centre(const Facet& facet, std::span<const Vec3<double>> X);
 /// Nodes of the facets, sorted, each once.
 std::vector<int> nodes_of(std::span<const Facet> facets);
 
+/// Nodes of the outer surface and of the triangles of membranes and shells, sorted, each once.
+std::vector<int> outer_nodes(const Mesh& mesh);
+
 }  // namespace glisson

@@ -83,6 +83,31 @@ int orient(std::vector<Triangle>& triangles) {
   return static_cast<int>(std::count(turn.begin(), turn.end(), 1));
 }
 
+void append_triangles(const Facet& facet, std::span<const Vec3<double>> X, std::vector<Triangle>& triangles) {
+  const auto& n = facet.nodes;
+  if (facet.node_count() == 3) return triangles.push_back({n[0], n[1], n[2]});
+  const auto square = [&](std::size_t a, std::size_t b) {
+    const auto d = X[at(n[a])] - X[at(n[b])];
+    return dot(d, d);
+  };
+  const double first = square(0, 2), second = square(1, 3);
+  constexpr double equal = 2e-3;  // of squares
+  const bool from_first = std::abs(first - second) > equal * std::max(first, second)
+                              ? first < second
+                              : std::min(n[0], n[2]) < std::min(n[1], n[3]);
+  if (from_first)
+    triangles.insert(triangles.end(), {{n[0], n[1], n[2]}, {n[0], n[2], n[3]}});
+  else
+    triangles.insert(triangles.end(), {{n[0], n[1], n[3]}, {n[1], n[2], n[3]}});
+}
+
+std::vector<Facet> facets_of(std::span<const Triangle> triangles) {
+  std::vector<Facet> facets;
+  facets.reserve(triangles.size());
+  for (const Triangle& t : triangles) facets.push_back({{t[0], t[1], t[2], -1}, -1});
+  return facets;
+}
+
 double triangle_area(const Triangle& t, std::span<const Vec3<double>> X) {
   const auto N = cross(X[at(t[1])] - X[at(t[0])], X[at(t[2])] - X[at(t[0])]);
   return 0.5 * std::sqrt(dot(N, N));

@@ -1,11 +1,11 @@
-// Topology of a triangle surface: who lies across which edge, and a common orientation.
+// Triangle surfaces: who lies across which edge, a common orientation, and facets cut into triangles.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include <glisson/core/tensor/tensor.hpp>
+#include <glisson/core/mesh/mesh.hpp>
 
 namespace glisson {
 
@@ -28,6 +28,14 @@ bool same_orientation(std::span<const Triangle> triangles, const TriangleEdge& e
 /// returns how many were turned, or -1 when the surface has one side only (a Moebius strip), which is then
 /// left as it was.
 int orient(std::vector<Triangle>& triangles);
+
+/// Appends the triangle, or the two that a quadrilateral is cut into: along its shorter diagonal, or, where
+/// the two are equal within one part in a thousand, along the one at its lowest node. Meshes with rows of
+/// numbers then get parallel diagonals, and one facet is cut in one way wherever it is listed.
+void append_triangles(const Facet& facet, std::span<const Vec3<double>> X, std::vector<Triangle>& triangles);
+
+/// The triangles as facets without a solid element.  [triangle_count]
+std::vector<Facet> facets_of(std::span<const Triangle> triangles);
 
 /// [m^2]
 double triangle_area(const Triangle& triangle, std::span<const Vec3<double>> X);

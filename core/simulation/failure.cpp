@@ -80,6 +80,14 @@ std::string element_text(const Model& model, int element) {
   return text;
 }
 
+std::string triangle_text(const Model& model, int triangle) {
+  std::string text = "shell triangle " + std::to_string(triangle);
+  for (const ShellSection& s : model.shells)
+    if (std::find(s.elements.begin(), s.elements.end(), triangle) != s.elements.end())
+      return text + " (" + name_of(s.formulation) + ", " + s.law + ")";
+  return text;
+}
+
 std::string not_finite_message(const Model& model, const FailureContext& c) {
   std::ostringstream text;
   const int node = first_bad_node(c.u);

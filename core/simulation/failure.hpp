@@ -19,6 +19,8 @@ struct FailureContext {
 
 /// "element 17 (T4, NH)": with formulation and law.
 std::string element_text(const Model& model, int element);
+/// "shell triangle 17 (membrane, NeoHookean)".
+std::string triangle_text(const Model& model, int triangle);
 std::string not_finite_message(const Model& model, const FailureContext& context);
 std::string imbalance_message(const Model& model, const FailureContext& context, const Energies& energies,
                               double share, double tolerance);

@@ -33,7 +33,7 @@ template <Backend B, class R>
 std::string Simulation<B, R>::limiter() const {
   const auto& e = parts_.element_step;
   double smallest = e.dt;
-  std::string name = e.element >= 0 ? element_text(model_, e.element) : std::string("a shell triangle");
+  std::string name = e.triangle >= 0 ? triangle_text(model_, e.triangle) : element_text(model_, e.element);
   auto compare = [&](const auto& provider) {
     if (provider.stable_step() < smallest) smallest = provider.stable_step(), name = provider.name();
   };
@@ -84,6 +84,7 @@ template <Backend B, class R>
 void Simulation<B, R>::account(double t) {
   Energies parts;
   parts.strain = strain_energy_;
+  parts.shell = parts_.solids->shell_energy();
   parts.hourglass = hourglass_energy_;
   for (const auto& load : parts_.loads) parts.external += load->work();
   for (const auto& user : users_) parts.external += user->provider().work();

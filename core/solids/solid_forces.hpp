@@ -18,6 +18,8 @@ class SolidForces : public ForceProvider<R> {
   /// double.
   virtual double strain_energy(const StepView<R>& step) = 0;
   virtual double hourglass_energy(const StepView<R>& step) = 0;
+  /// The part of the last strain energy that is in membranes and shells [J].
+  virtual double shell_energy() const { return 0; }
   /// Prony history in the canonical order: for each section, each of its elements in order, each integration
   /// point, each term (isochoric, then volumetric), six components 11 22 33 12 23 13 [Pa]. Empty without
   /// Prony terms.

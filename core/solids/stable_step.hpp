@@ -12,7 +12,8 @@ namespace glisson {
 struct StableStep {
   /// 2 / omega_max of the element [s]: exact for T4 and parallelepiped H8, a bound from below for others.
   double dt = std::numeric_limits<double>::infinity();
-  int element = -1;  ///< user's number
+  int element = -1;   ///< user's number; -1: none, or a triangle
+  int triangle = -1;  ///< of membranes and shells, when it is the one that bounds the step
   double smallest_size =
       std::numeric_limits<double>::infinity();  ///< of any element: V / largest facet-like area [m]
 };

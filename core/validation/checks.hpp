@@ -25,7 +25,14 @@ void check_elements(const Mesh& mesh, const std::vector<Formulation>& formulatio
 void check_nodes(const Model& model, Warnings& warnings);
 /// Every element in one section, laws and their parameters. Returns the formulation of each element.
 std::vector<Formulation> check_sections(const Model& model, Warnings& warnings);
-/// Triangles of membranes and shells: every one in one section, area, edges, laws.
+/// Nodes and area of the triangles of membranes and shells; none twice.
+void check_triangles(const Mesh& mesh);
+/// Law, parameters, Prony terms, thickness and density of a set; `where` is named in messages.
+void check_shell_section(const ShellSection& section, const std::string& where);
+/// One orientation, and edges that the formulations of the triangles can use. A triangle may be in no set
+/// yet.
+void check_shell_edges(const Model& model);
+/// All of it, every triangle in one set, and what is probably a mistake.
 void check_shells(const Model& model, Warnings& warnings);
 /// Lists, values and curves of loads, constraints and bodies.
 void check_loads(const Model& model, Warnings& warnings);

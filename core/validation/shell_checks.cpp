@@ -12,6 +12,12 @@ namespace {
 
 std::string triangle_text(int e) { return "shell triangle " + std::to_string(e); }
 
+std::string nodes_text(const Triangle& t) {
+  return std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]);
+}
+
+}  // namespace
+
 void check_triangles(const Mesh& mesh) {
   std::vector<std::pair<Triangle, int>> sorted;
   for (int e = 0; e < static_cast<int>(mesh.triangles.size()); ++e) {
@@ -22,25 +28,30 @@ void check_triangles(const Mesh& mesh) {
         refuse(triangle_text(e), "it uses node " + std::to_string(t[a]) + ", but the nodes are 0 to " +
                                      std::to_string(mesh.node_count() - 1));
     for (std::size_t a = 0; a < 3; ++a) {
+      if (t[a] == t[(a + 1) % 3])
+        refuse(triangle_text(e), "it uses node " + std::to_string(t[a]) + " twice (" + nodes_text(t) +
+                                     "); give three different nodes or remove it");
       const auto d =
           mesh.X[static_cast<std::size_t>(t[a])] - mesh.X[static_cast<std::size_t>(t[(a + 1) % 3])];
       longest = std::max(longest, dot(d, d));
     }
     const double area = triangle_area(t, mesh.X);
     if (!(area > 1e-6 * longest))
-      refuse(triangle_text(e), "its area is " + number_text(area) +
-                                   ": its corners lie on a line, so it has no stiffness of its own; correct "
-                                   "its nodes or the mesh");
+      refuse(triangle_text(e), "its area is " + number_text(area) + ": its corners (nodes " + nodes_text(t) +
+                                   ") lie on a line, so it has no stiffness of its own; correct its nodes or "
+                                   "the mesh");
     std::sort(t.begin(), t.end());
     sorted.emplace_back(t, e);
   }
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (sorted[i].first == sorted[i - 1].first)
-      refuse(triangle_text(sorted[i].second), "it has the same nodes as triangle " +
-                                                  std::to_string(sorted[i - 1].second) +
-                                                  "; remove one of them");
+      refuse(triangle_text(sorted[i].second),
+             "it has the same nodes as triangle " + std::to_string(sorted[i - 1].second) + " (" +
+                 nodes_text(sorted[i].first) + "); remove one of them, or make one that is as thick as both");
 }
+
+namespace {
 
 std::string number_range(const ParameterRule& rule) {
   if (std::isfinite(rule.below))
@@ -95,15 +106,36 @@ void check_positive(const std::vector<double>& values, double value, std::size_t
   if (!values.empty() && values.size() != count)
     refuse(where, std::to_string(values.size()) + " values of the " + name + " are given for " +
                       std::to_string(count) + " triangles");
-  for (std::size_t k = 0; k < std::max<std::size_t>(values.size(), 1); ++k) {
-    const double v = values.empty() ? value : values[k];
+  const std::vector<double> one{value};
+  for (const double v : values.empty() ? one : values)
     if (!(v > 0) || !std::isfinite(v))
-      refuse(where, std::string("the ") + name + " is " + number_text(v) + ", but must be greater than 0");
-  }
+      refuse(where, std::string("the ") + name + (values.empty() ? "" : " of a triangle") + " is " +
+                        number_text(v) + ", but must be greater than 0");
 }
 
-/// Fills which section each triangle has.
-std::vector<int> check_shell_sections(const Model& model) {
+void check_directions(const ShellSection& section, const std::string& where) {
+  if (!section.element_direction.empty() && section.element_direction.size() != section.elements.size())
+    refuse(where, std::to_string(section.element_direction.size()) + " directions are given for " +
+                      std::to_string(section.elements.size()) + " triangles");
+  for (std::size_t k = 0; k < section.elements.size(); ++k)
+    if (const auto& d = section.direction_of(k); !std::isfinite(dot(d, d)))
+      refuse(where, "the direction of triangle " + std::to_string(section.elements[k]) + " is not finite");
+}
+
+}  // namespace
+
+void check_shell_section(const ShellSection& section, const std::string& where) {
+  check_law(section, where);
+  check_prony_terms(section, where);
+  check_positive(section.element_thickness, section.thickness, section.elements.size(), "thickness", where);
+  check_positive(section.element_density, section.density, section.elements.size(), "density", where);
+  check_directions(section, where);
+}
+
+namespace {
+
+/// Which section each triangle has; fails for one with two or none.
+void check_shell_sections(const Model& model) {
   std::vector<int> owner(model.mesh.triangles.size(), -1);
   for (std::size_t s = 0; s < model.shells.size(); ++s) {
     const ShellSection& section = model.shells[s];
@@ -117,26 +149,29 @@ std::vector<int> check_shell_sections(const Model& model) {
       if (its_owner >= 0) refuse(where, triangle_text(e) + " is in two sets; take it out of one of them");
       its_owner = static_cast<int>(s);
     }
-    check_law(section, where);
-    check_prony_terms(section, where);
-    check_positive(section.element_thickness, section.thickness, section.elements.size(), "thickness", where);
-    check_positive(section.element_density, section.density, section.elements.size(), "density", where);
-    const auto& d = section.direction;
-    if (!std::isfinite(dot(d, d))) refuse(where, "the direction is not finite");
+    check_shell_section(section, where);
   }
   for (std::size_t e = 0; e < owner.size(); ++e)
     if (owner[e] < 0)
       refuse(triangle_text(static_cast<int>(e)),
              "it is in no ShellElementSet, so it has no material; add it to one");
-  return owner;
 }
 
-void check_edges(const Model& model, const std::vector<int>& owner) {
+/// 1 where a triangle is one of a rotation-free shell.  [triangle_count]
+std::vector<char> bending_triangles(const Model& model) {
+  std::vector<char> bends(model.mesh.triangles.size(), 0);
+  for (const ShellSection& section : model.shells)
+    if (section.formulation == ShellFormulation::rotation_free)
+      for (const int e : section.elements) bends[static_cast<std::size_t>(e)] = 1;
+  return bends;
+}
+
+}  // namespace
+
+void check_shell_edges(const Model& model) {
   const auto& triangles = model.mesh.triangles;
-  const auto bends = [&](int side) {
-    const auto section = static_cast<std::size_t>(owner[static_cast<std::size_t>(side / 3)]);
-    return model.shells[section].formulation == ShellFormulation::rotation_free;
-  };
+  const auto bending = bending_triangles(model);
+  const auto bends = [&](int side) { return bending[static_cast<std::size_t>(side / 3)] != 0; };
   for (const TriangleEdge& edge : edges_of(triangles)) {
     const std::string where = "shell edge " + std::to_string(edge.a) + " - " + std::to_string(edge.b);
     if (std::count_if(edge.sides.begin(), edge.sides.end(), bends) > 2)
@@ -151,16 +186,60 @@ void check_edges(const Model& model, const std::vector<int>& owner) {
   }
 }
 
-}  // namespace
+namespace {
 
-void check_shells(const Model& model, Warnings&) {
-  check_triangles(model.mesh);
-  const auto owner = check_shell_sections(model);
-  check_edges(model, owner);
-  for (const int n : model.clamped_nodes)
+void check_clamped(const Model& model, Warnings& warnings) {
+  std::vector<char> fixed(model.mesh.X.size(), 0);
+  for (const FixedNodes& fix : model.fixed)
+    for (const int n : fix.nodes)
+      if (n >= 0 && n < model.mesh.node_count()) fixed[static_cast<std::size_t>(n)] = 1;
+  int loose = 0;
+  for (const int n : model.clamped_nodes) {
     if (n < 0 || n >= model.mesh.node_count())
       refuse("ClampedNodes", "it names node " + std::to_string(n) + ", but the nodes are 0 to " +
                                  std::to_string(model.mesh.node_count() - 1));
+    loose += fixed[static_cast<std::size_t>(n)] == 0;
+  }
+  if (loose > 0)
+    warnings.push_back(std::to_string(loose) +
+                       " clamped nodes are not fixed: ClampedNodes stops the rotation of the edges between "
+                       "them only; add a Constraint of Type=\"Fix\" for their positions");
+}
+
+/// EBST1 is much too stiff in bending where the diagonals of a grid alternate, so that nodes of four and of
+/// eight triangles take turns (doc/shells.md).
+void check_diagonals(const Model& model, Warnings& warnings) {
+  const auto bending = bending_triangles(model);
+  std::vector<int> valence(model.mesh.X.size(), 0);
+  std::vector<char> border(model.mesh.X.size(), 0);
+  std::vector<Triangle> bent;
+  for (std::size_t e = 0; e < bending.size(); ++e)
+    if (bending[e] != 0) bent.push_back(model.mesh.triangles[e]);
+  for (const Triangle& t : bent)
+    for (const int n : t) ++valence[static_cast<std::size_t>(n)];
+  for (const TriangleEdge& edge : edges_of(bent))
+    if (edge.sides.size() == 1)
+      border[static_cast<std::size_t>(edge.a)] = border[static_cast<std::size_t>(edge.b)] = 1;
+  int inner = 0, four = 0, eight = 0;
+  for (std::size_t n = 0; n < valence.size(); ++n) {
+    if (valence[n] == 0 || border[n] != 0) continue;
+    ++inner, four += valence[n] == 4, eight += valence[n] == 8;
+  }
+  if (four > 1 && eight > 0 && 2 * (four + eight) > inner)
+    warnings.push_back("the diagonals of the shell's mesh alternate (" + std::to_string(four) +
+                       " inner nodes have four triangles, " + std::to_string(eight) +
+                       " have eight): rotation-free shells are much too stiff in bending there and do not "
+                       "converge; mesh with parallel diagonals or with about six triangles at each node");
+}
+
+}  // namespace
+
+void check_shells(const Model& model, Warnings& warnings) {
+  check_triangles(model.mesh);
+  check_shell_sections(model);
+  check_shell_edges(model);
+  check_clamped(model, warnings);
+  check_diagonals(model, warnings);
 }
 
 }  // namespace glisson::detail

@@ -164,6 +164,11 @@ Selection read_leaf(const Reader& reader, const XmlElement& leaf, const std::str
   return {type == "Surface" ? Kind::surface : Kind::all, {}, {}, {}, {}};
 }
 
+Selection facet_filter(Choice choice) {
+  if (choice.list) choice.filter.parts.push_back({Kind::nodes, {}, std::move(*choice.list), {}, {}});
+  return std::move(choice.filter);
+}
+
 Choice read_choice(const Reader& reader, const XmlElement& constraint, const Mesh& mesh) {
   Choice choice;
   check_spec_type(constraint);

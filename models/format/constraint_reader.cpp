@@ -1,5 +1,6 @@
 #include <glisson/models/format/constraint_reader.hpp>
 
+#include <glisson/core/mesh/triangles.hpp>
 #include <glisson/models/format/suggest.hpp>
 
 #include <algorithm>
@@ -61,18 +62,19 @@ std::vector<Facet> ConstraintReader::facets() {
   if (count != nullptr && count->value == "0" && choice.filter.parts.empty()) nothing_ = true;
   if (count != nullptr && !all && !nothing_ && choice.filter.parts.empty())
     element_.fail("NumFaces=\"" + count->value + "\" needs the element <Faces> inside it");
-  if (choice.list) choice.filter.parts.push_back({Selection::Kind::nodes, {}, *choice.list, {}, {}});
-  if (!nothing_ && !all && choice.filter.parts.empty())
+  const Selection filter = facet_filter(std::move(choice));
+  if (!nothing_ && !all && filter.parts.empty())
     element_.fail(
         "it does not say on which facets it acts; add NumFaces=\"all\", <Faces>, <Normal>, <Box>, <Label>, "
         "...");
-  auto facets = nothing_ ? std::vector<Facet>() : mesh_.facets(choice.filter);
+  auto facets = nothing_ ? std::vector<Facet>() : mesh_.facets(filter);
   require_any(facets.size());
   return facets;
 }
 
 std::vector<Facet> ConstraintReader::listed_facets(const std::string& count) {
   const auto& faces = *element_.child("Faces");
+  if (element_.required_attribute("FaceType") == "Shell") return listed_triangles(faces);
   const std::size_t width = element_.required_attribute("FaceType") == "Tri" ? 3 : 4;
   const auto nodes = index_list(faces, {}, mesh_.mesh().node_count(), "nodes");
   if (nodes.size() % width != 0)
@@ -87,6 +89,19 @@ std::vector<Facet> ConstraintReader::listed_facets(const std::string& count) {
       for (std::size_t b = 0; b < a; ++b)
         if (facet.nodes[a] == facet.nodes[b])
           faces.fail("a face names node " + std::to_string(facet.nodes[a]) + " twice");
+  listed_count_ = facets.size();
+  for (std::size_t i = 0; i < facets.size(); ++i) listed_.push_back(i);
+  require_any(facets.size());
+  return facets;
+}
+
+/// Of shells, by their numbers.
+std::vector<Facet> ConstraintReader::listed_triangles(const XmlElement& faces) {
+  const auto all = facets_of(mesh_.mesh().triangles);
+  std::vector<Facet> facets;
+  for (const int e : index_list(faces, element_.integer_attribute("NumFaces"), static_cast<int>(all.size()),
+                                "shell triangles"))
+    facets.push_back(all[static_cast<std::size_t>(e)]);
   listed_count_ = facets.size();
   for (std::size_t i = 0; i < facets.size(); ++i) listed_.push_back(i);
   require_any(facets.size());

@@ -30,6 +30,7 @@ class ConstraintReader {
 
  private:
   std::vector<Facet> listed_facets(const std::string& count);
+  std::vector<Facet> listed_triangles(const XmlElement& faces);
   void require_any(std::size_t count);
 
   const Reader& reader_;

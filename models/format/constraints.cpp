@@ -1,4 +1,5 @@
 // Constraint: boundary conditions and loads of one level.
+#include <glisson/core/mesh/triangles.hpp>
 #include <glisson/models/format/constraint_reader.hpp>
 #include <glisson/models/format/suggest.hpp>
 
@@ -114,15 +115,26 @@ void warn_unused(const Reader& reader, const XmlElement& element, const Constrai
   }
 }
 
+/// In a model of shells only they are the surface.
+bool acts_on_shells(const XmlElement& element, const Mesh& mesh) {
+  const auto type = element.attribute("FaceType");
+  const bool asked = type != nullptr && type->value == "Shell";
+  if (asked && mesh.triangles.empty())
+    element.fail(type->line,
+                 "FaceType=\"Shell\" needs shell triangles, but there are none; add <ShellElements>");
+  return asked || mesh.element_count() == 0;
+}
+
 }  // namespace
 
 void read_constraints(const Reader& reader, const XmlElement& level, Part& part) {
-  const SelectionMesh mesh(part.model.mesh);
+  const Mesh& mesh = part.model.mesh;
+  const SelectionMesh solids(mesh), shells(mesh, facets_of(mesh.triangles), part.triangle_label);
   for (const auto element : level.all("Constraint")) {
     const auto& name = element->required_attribute("Type");
     for (const auto& type : types) {
       if (name != type.name) continue;
-      ConstraintReader in(reader, *element, mesh);
+      ConstraintReader in(reader, *element, acts_on_shells(*element, mesh) ? shells : solids);
       type.add(reader, *element, in, part.model);
       warn_unused(reader, *element, type);
     }

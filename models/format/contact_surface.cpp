@@ -3,20 +3,23 @@
 
 #include <glisson/core/mesh/surface.hpp>
 
-namespace glisson::detail {
-namespace {
+#include <algorithm>
 
-std::vector<Facet> read_facets(const XmlElement& element, int node_count) {
+namespace glisson::detail {
+namespace {}  // namespace
+
+std::vector<Facet> facet_list(const XmlElement& element, int node_count) {
   const std::string& type = element.required_attribute("Type");
   if (type != "T3" && type != "Q4")
     element.fail("Type=\"" + type + "\" is not one of a surface; use T3 or Q4");
-  element.required_attribute("NumEls");
   const auto corners = static_cast<std::size_t>(type == "T3" ? 3 : 4);
   const auto entries = element.integers();
-  const auto count = static_cast<std::int64_t>(*element.integer_attribute("NumEls"));
+  const std::int64_t fit = static_cast<std::int64_t>(entries.size() / corners);
+  const std::int64_t count =
+      element.integer_attribute("NumEls").value_or(static_cast<int>(std::max<std::int64_t>(fit, 1)));
   if (count <= 0 || static_cast<std::int64_t>(entries.size()) != count * static_cast<std::int64_t>(corners))
-    element.fail("it holds " + std::to_string(entries.size()) + " numbers, but NumEls=\"" +
-                 std::to_string(count) + "\" facets need " +
+    element.fail("it holds " + std::to_string(entries.size()) + " numbers, but " + std::to_string(count) +
+                 " facets (NumEls) of " + type + " need " +
                  std::to_string(count * static_cast<std::int64_t>(corners)));
   std::vector<Facet> facets;
   for (std::size_t i = 0; i < entries.size(); i += corners) {
@@ -33,6 +36,8 @@ std::vector<Facet> read_facets(const XmlElement& element, int node_count) {
   return facets;
 }
 
+namespace {
+
 SurfaceMesh read_surface(const Reader& reader, const XmlElement& element) {
   for (const auto name : {"SurfaceFile", "VTKSurface"})
     if (const auto file = element.child(name)) {
@@ -44,7 +49,9 @@ SurfaceMesh read_surface(const Reader& reader, const XmlElement& element) {
     }
   SurfaceMesh surface;
   surface.X = read_positions(element.required_child("Nodes"));
-  surface.facets = read_facets(element.required_child("Elements"), static_cast<int>(surface.X.size()));
+  const auto& elements = element.required_child("Elements");
+  elements.required_attribute("NumEls");
+  surface.facets = facet_list(elements, static_cast<int>(surface.X.size()));
   return surface;
 }
 

@@ -6,32 +6,12 @@
 namespace glisson::detail {
 namespace {
 
-std::vector<int> labelled(const XmlElement& set, const XmlAttribute& attribute, const Mesh& mesh) {
-  std::vector<int> labels, elements;
-  for_each_token(XmlText{attribute.value, attribute.line}, [&](std::string_view token, int) {
-    const auto label = to_integer(token);
-    if (!label || *label != static_cast<int>(*label))
-      set.fail(attribute.line,
-               "Label=\"" + attribute.value + "\" holds something that is not a whole number");
-    labels.push_back(static_cast<int>(*label));
-  });
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const int label = mesh.label.empty() ? 0 : mesh.label[static_cast<std::size_t>(e)];
-    if (std::find(labels.begin(), labels.end(), label) != labels.end()) elements.push_back(e);
-  }
-  if (elements.empty())
-    set.fail(attribute.line, "no element has Label=\"" + attribute.value + "\"" +
-                                 (mesh.label.empty() ? "; the mesh has no labels" : "") +
-                                 "; `glisson info` lists the labels of a mesh");
-  return elements;
-}
-
 std::vector<int> elements_of(const XmlElement& set, const Mesh& mesh) {
   const auto label = set.attribute("Label");
   if (label != nullptr) {
     if (set.attribute("Size") != nullptr) set.fail("Size and Label cannot both be given; keep one");
     if (set.has_text()) set.fail("a set chosen by Label holds no list; remove the list or the Label");
-    return labelled(set, *label, mesh);
+    return labelled(set, *label, mesh.label, mesh.element_count(), "element");
   }
   if (set.required_attribute("Size") == "all") {
     if (set.has_text())
@@ -71,6 +51,33 @@ void override_formulation(const XmlElement& set, const std::vector<int>& element
 }
 
 }  // namespace
+
+std::vector<int> integers_of(const XmlElement& element, const XmlAttribute& attribute) {
+  std::vector<int> values;
+  for_each_token(XmlText{attribute.value, attribute.line}, [&](std::string_view token, int) {
+    const auto value = to_integer(token);
+    if (!value || *value != static_cast<int>(*value))
+      element.fail(attribute.line, attribute.name + "=\"" + attribute.value +
+                                       "\" holds something that is not a whole number");
+    values.push_back(static_cast<int>(*value));
+  });
+  return values;
+}
+
+std::vector<int> labelled(const XmlElement& set, const XmlAttribute& attribute, const std::vector<int>& label,
+                          int count, const char* what) {
+  const std::vector<int> labels = integers_of(set, attribute);
+  std::vector<int> found;
+  for (int e = 0; e < count; ++e) {
+    const int its_label = label.empty() ? 0 : label[static_cast<std::size_t>(e)];
+    if (std::find(labels.begin(), labels.end(), its_label) != labels.end()) found.push_back(e);
+  }
+  if (found.empty())
+    set.fail(attribute.line, std::string("no ") + what + " has Label=\"" + attribute.value + "\"" +
+                                 (label.empty() ? "; the mesh has no labels" : "") +
+                                 "; `glisson info` lists the labels of a mesh");
+  return found;
+}
 
 std::vector<int> index_list(const XmlElement& element, std::optional<int> count, int size, const char* what) {
   auto indices = element.integers();

@@ -105,6 +105,13 @@ void read_mesh_file(const Reader& reader, const XmlElement& element, Part& part,
   transform_as_told(element, mesh.X);
 }
 
+/// A level of shells only whose nodes come with their file.
+bool shells_bring_nodes(const XmlElement& level) {
+  for (const auto shells : level.all("ShellElements"))
+    if (const auto type = shells->attribute("Type"); type != nullptr && type->value == "FILE") return true;
+  return false;
+}
+
 /// A tetrahedron in the other orientation is the same body; NiftySim takes both.
 void turn_tetrahedra(const Reader& reader, const XmlElement& level, Mesh& mesh) {
   int turned = 0;
@@ -181,26 +188,29 @@ FormulationChoice formulation_choice(const XmlElement& element, const std::strin
   }
 }
 
+const XmlElement* mesh_file_of(const XmlElement& level) {
+  for (const auto name : mesh_file_names)
+    if (const auto found = level.child(name)) return found;
+  return nullptr;
+}
+
 void read_geometry(const Reader& reader, const XmlElement& level, Part& part) {
   FormulationChoice choice;
-  const XmlElement* from_file = nullptr;
-  for (const auto name : mesh_file_names) {
-    const auto found = level.child(name);
-    if (found == nullptr) continue;
-    if (from_file != nullptr)
-      reader.complain(*found, found->line,
+  const XmlElement* from_file = mesh_file_of(level);
+  for (const auto name : mesh_file_names)
+    if (const auto other = level.child(name); other != nullptr && other != from_file)
+      reader.complain(*other, other->line,
                       "a second geometry: <" + from_file->name + "> is there too; keep one of them");
-    else
-      from_file = found;
-  }
   if (from_file != nullptr) {
     for (const auto name : {"Nodes", "Elements"})
       if (const auto other = level.child(name))
         reader.complain(*other, other->line,
                         "a second geometry: <" + from_file->name + "> is there too; keep one of them");
     read_mesh_file(reader, *from_file, part, choice);
-  } else {
+  } else if (level.child("Nodes") != nullptr || level.child("Elements") != nullptr ||
+             !shells_bring_nodes(level)) {
     part.model.mesh.X = read_positions(level.required_child("Nodes"));
+    if (level.child("Elements") == nullptr && level.child("ShellElements") != nullptr) return;
     read_elements(level, part.model.mesh);
     const auto& elements = level.required_child("Elements");
     choice = formulation_choice(elements, elements.required_attribute("Type"));

@@ -20,6 +20,7 @@ void for_each_list(Model& model, Nodes on_nodes, Facets on_facets) {
   for (auto& c : model.springs) on_nodes(c.nodes);
   for (auto& c : model.planes) on_nodes(c.nodes);
   for (auto& c : model.initial_velocities) on_nodes(c.nodes);
+  on_nodes(model.clamped_nodes);
   for (auto& c : model.pressures) on_facets(c.facets);
   for (auto& c : model.tractions) on_facets(c.facets);
 }
@@ -29,9 +30,13 @@ void move_to_end(std::vector<T>& from, std::vector<T>& to) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-void shift(Part& part, int node_offset, int element_offset) {
+void shift(Part& part, int node_offset, int element_offset, int triangle_offset) {
   Model& model = part.model;
   for (auto& n : model.mesh.nodes) n += node_offset;
+  for (auto& triangle : model.mesh.triangles)
+    for (auto& n : triangle) n += node_offset;
+  for (auto& section : model.shells)
+    for (auto& e : section.elements) e += triangle_offset;
   for (auto& section : model.sections)
     for (auto& e : section.elements) e += element_offset;
   for (auto& gravity : model.gravity)  // "all" means all of this part
@@ -51,22 +56,6 @@ void shift(Part& part, int node_offset, int element_offset) {
       });
 }
 
-using Arrays = std::map<std::string, NamedArray>;
-
-/// An array that only one of the parts has is 0 on the other.
-void append_arrays(Arrays& to, const Arrays& from, std::size_t old_count, std::size_t added) {
-  for (const auto& [name, array] : from)
-    if (to.find(name) == to.end())
-      to[name] = {array.components,
-                  std::vector<double>(old_count * static_cast<std::size_t>(array.components), 0.0)};
-  for (auto& [name, array] : to) {
-    const auto found = from.find(name);
-    if (found != from.end() && found->second.components == array.components)
-      array.values.insert(array.values.end(), found->second.values.begin(), found->second.values.end());
-    array.values.resize((old_count + added) * static_cast<std::size_t>(array.components), 0.0);
-  }
-}
-
 void append_mesh(Mesh& to, const Mesh& from) {
   const auto old_nodes = to.X.size(), old_elements = to.shape.size();
   if (!to.label.empty() || !from.label.empty()) {
@@ -79,6 +68,7 @@ void append_mesh(Mesh& to, const Mesh& from) {
   to.X.insert(to.X.end(), from.X.begin(), from.X.end());
   for (int e = 0; e < from.element_count(); ++e)
     to.add_element(from.shape[static_cast<std::size_t>(e)], from.element(e));
+  to.triangles.insert(to.triangles.end(), from.triangles.begin(), from.triangles.end());
 }
 
 /// Lists name a merged node once; values that belong to a dropped entry go with it.
@@ -106,6 +96,7 @@ void renumber_lists(Model& model, const std::vector<int>& number) {
   for (auto& c : model.springs) renumber(c.nodes, number, c.targets, c.stiffness);
   for (auto& c : model.planes) renumber(c.nodes, number);
   for (auto& c : model.initial_velocities) renumber(c.nodes, number);
+  renumber(model.clamped_nodes, number);
   const auto on_facets = [&](std::vector<Facet>& facets) {
     for (auto& facet : facets)
       for (int a = facet.node_count() - 1; a >= 0; --a) {
@@ -119,13 +110,33 @@ void renumber_lists(Model& model, const std::vector<int>& number) {
 
 }  // namespace
 
+void append_arrays(std::map<std::string, NamedArray>& to, const std::map<std::string, NamedArray>& from,
+                   std::size_t old_count, std::size_t added) {
+  for (const auto& [name, array] : from)
+    if (to.find(name) == to.end())
+      to[name] = {array.components,
+                  std::vector<double>(old_count * static_cast<std::size_t>(array.components), 0.0)};
+  for (auto& [name, array] : to) {
+    const auto found = from.find(name);
+    if (found != from.end() && found->second.components == array.components)
+      array.values.insert(array.values.end(), found->second.values.begin(), found->second.values.end());
+    array.values.resize((old_count + added) * static_cast<std::size_t>(array.components), 0.0);
+  }
+}
+
 void append(Part& whole, Part part) {
   const std::int64_t nodes =
       static_cast<std::int64_t>(whole.model.mesh.X.size()) + part.model.mesh.node_count();
   if (nodes > std::numeric_limits<int>::max())
     throw Error(ErrorKind::input, "the sub-models have more nodes together than can be numbered");
-  shift(part, whole.model.mesh.node_count(), whole.model.mesh.element_count());
+  const std::size_t old_triangles = whole.model.mesh.triangles.size();
+  shift(part, whole.model.mesh.node_count(), whole.model.mesh.element_count(),
+        static_cast<int>(old_triangles));
   append_mesh(whole.model.mesh, part.model.mesh);
+  append_arrays(whole.triangle_arrays, part.triangle_arrays, old_triangles, part.model.mesh.triangles.size());
+  move_to_end(part.triangle_label, whole.triangle_label);
+  move_to_end(part.model.shells, whole.model.shells);
+  move_to_end(part.model.clamped_nodes, whole.model.clamped_nodes);
   move_to_end(part.formulation, whole.formulation);
   move_to_end(part.model.sections, whole.model.sections);
   move_to_end(part.model.fixed, whole.model.fixed);

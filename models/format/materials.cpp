@@ -72,12 +72,15 @@ void read_viscous(const XmlElement& material, const std::string& type, MaterialS
         .push_back({values[i], values[i + 1]});
 }
 
-const NamedArray& cell_array(const XmlElement& element, const Mesh& mesh, int components) {
+}  // namespace
+
+const NamedArray& named_array(const XmlElement& element, const std::map<std::string, NamedArray>& arrays,
+                              int components) {
   const auto name = element.required_text();
-  const auto found = mesh.cell_arrays.find(name);
-  if (found == mesh.cell_arrays.end()) {
+  const auto found = arrays.find(name);
+  if (found == arrays.end()) {
     std::vector<std::string> names;
-    for (const auto& [known, array] : mesh.cell_arrays) names.push_back(known);
+    for (const auto& [known, array] : arrays) names.push_back(known);
     element.fail("the mesh has no cell array '" + name + "'" + suggestion(name, names));
   }
   if (found->second.components != components)
@@ -86,15 +89,17 @@ const NamedArray& cell_array(const XmlElement& element, const Mesh& mesh, int co
   return found->second;
 }
 
-std::vector<double> picked(const NamedArray& array, const std::vector<int>& elements, int component) {
+std::vector<double> picked(const NamedArray& array, const std::vector<int>& rows, int component) {
   std::vector<double> values;
-  values.reserve(elements.size());
-  for (const int e : elements)
+  values.reserve(rows.size());
+  for (const int e : rows)
     values.push_back(
         array.values.at(static_cast<std::size_t>(e) * static_cast<std::size_t>(array.components) +
                         static_cast<std::size_t>(component)));
   return values;
 }
+
+namespace {
 
 void read_arrays(const XmlElement& material, const LawRule& law, const Mesh& mesh,
                  const std::vector<int>& elements, MaterialSpec& spec) {
@@ -106,12 +111,12 @@ void read_arrays(const XmlElement& material, const LawRule& law, const Mesh& mes
       element->fail("the law " + std::string(law.name) + " has no parameter '" + wanted + "'" +
                     suggestion(wanted, names));
     spec.element_parameters.emplace_back(static_cast<int>(found - names.begin()),
-                                         picked(cell_array(*element, mesh, 1), elements, 0));
+                                         picked(named_array(*element, mesh.cell_arrays, 1), elements, 0));
   }
   if (const auto element = material.child("FibreArray")) {
     if (law.direction < 0)
       element->fail("the law " + std::string(law.name) + " has no fibre direction; TI has one");
-    const auto& array = cell_array(*element, mesh, 3);
+    const auto& array = named_array(*element, mesh.cell_arrays, 3);
     std::array<std::vector<double>, 3> a;
     for (int i = 0; i < 3; ++i) a[static_cast<std::size_t>(i)] = picked(array, elements, i);
     for (std::size_t k = 0; k < elements.size(); ++k) {

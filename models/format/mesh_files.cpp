@@ -18,6 +18,13 @@ SurfaceMesh surface_from_file(const Reader& reader, const XmlElement& element) {
   return surface;
 }
 
+LabelledSurface labelled_surface_from_file(const Reader& reader, const XmlElement& element) {
+  std::vector<std::string> warnings;
+  auto surface = read_labelled_surface(reader.find_file(element, element.required_text()), &warnings);
+  for (const auto& warning : warnings) reader.warn(element, warning);
+  return surface;
+}
+
 std::shared_ptr<const SurfaceDistance> distance_from_file(const Reader& reader, const XmlElement& element,
                                                           double reach) {
   const auto surface = surface_from_file(reader, element);

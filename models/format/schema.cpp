@@ -21,7 +21,7 @@ constexpr std::array rules{
         "Mesh=MeshFile "
         "ElementSet=ElementSet* Constraint=Constraint* SubModel=SubModel* SubModelNodeMergerDistance=Value "
         "ContactCylinder=Cylinder* ContactUSProbe=Cylinder* ContactPlate=Plate* Output=Output "
-        "SystemParams=SystemParams ShellElements=NotBuilt ShellElementSet=NotBuilt* "
+        "SystemParams=SystemParams ShellElements=ShellElements* ShellElementSet=ShellElementSet* "
         "ContactSurface=ContactSurface* "
         "KinematicContact=NotBuilt* ReducedBasis=NotBuilt"},
     ElementRule{
@@ -29,7 +29,7 @@ constexpr std::array rules{
         "Nodes=MeshNodes Elements=MeshElements MSHMesh=MeshFile VTKMesh=MeshFile VTUMesh=MeshFile "
         "Mesh=MeshFile "
         "ElementSet=ElementSet* Constraint=Constraint* SubModel=SubModel* SubModelNodeMergerDistance=Value "
-        "ShellElements=NotBuilt ShellElementSet=NotBuilt*"},
+        "ShellElements=ShellElements* ShellElementSet=ShellElementSet*"},
     ElementRule{"MeshNodes", "NumNodes DOF:3", "", true},
     ElementRule{"MeshElements", "NumEls Type", "", true},
     ElementRule{"MeshFile", "Type", "Translation=Value Rotation=Value ScaleFactor=Value", true},
@@ -42,11 +42,26 @@ constexpr std::array rules{
     ElementRule{"ElasticParams", "NumParams", "", true},
     ElementRule{"ViscoParams", "NumIsoTerms NumVolTerms", "", true},
     ElementRule{"ElementArray", "Param", "", true},
+    ElementRule{"ShellElements", "Type:T3,Q4,SURFACE,MESH,FILE NumEls Label",
+                GLISSON_LEAVES "RestrictTo=RestrictTo* Translation=Value Rotation=Value ScaleFactor=Value",
+                true},
+    ElementRule{"ShellElementSet", "Name Size Label",
+                GLISSON_LEAVES "RestrictTo=RestrictTo* Material=ShellMaterial ClampedNodes=ClampedNodes*",
+                true},
+    ElementRule{"ShellMaterial",
+                "Type:Linear,NeoHookean,NeoHookeanCompressible,Fung,TwoFibre,LinearShell,LinearThickShell,"
+                "NeoHookeanShell,NeoHookeanCompressibleShell Wrinkling:0,1",
+                "Density=Value Thickness=Value ViscoParams=ShellViscoParams FibreDirection=Value "
+                "FibreArray=Value ElementArray=ElementArray*",
+                true},
+    ElementRule{"ShellViscoParams", "NumTerms", "", true},
+    ElementRule{"ClampedNodes", "NumNodes", GLISSON_LEAVES "RestrictTo=RestrictTo*", true},
     ElementRule{
         "Constraint",
         "Type:Fix,Disp,Force,Gravity,Pressure,Traction,Spring,SlidingPlane,Symmetry,InitialVelocity "
         "Name DOF:0,1,2,all LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE NumNodes "
-        "SpecType:NODES,NORMAL,BOX,SPHERE,HALFSPACE,LABEL,SURFACE,DISTANCE,SELECT NumFaces FaceType:Tri,Quad "
+        "SpecType:NODES,NORMAL,BOX,SPHERE,HALFSPACE,LABEL,SURFACE,DISTANCE,SELECT NumFaces "
+        "FaceType:Tri,Quad,Shell "
         "StartTime EndTime Release:0,1 TargetLoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE",
         GLISSON_LEAVES
         "RestrictTo=RestrictTo* Faces=Value Magnitudes=Magnitudes Magnitude=Value "

@@ -18,6 +18,7 @@ void merge(const Reader& reader, const XmlElement& level, Part& part) {
   const double value = distance->number();
   if (!(value > 0)) return;  // as the format says: no merging
   const int merged = merge_nodes(part, value, *distance);
+  if (merged > 0 && !part.model.mesh.triangles.empty()) check_shell_mesh(reader, *distance, part);
   if (merged == 0)
     reader.warn(*distance, "no two nodes are that near, so the sub-models are not connected by it");
 }
@@ -32,7 +33,9 @@ Part read_level(const Reader& reader, const XmlElement& level) {
   } else {
     read_geometry(reader, level, part);
   }
+  read_shell_elements(reader, level, part);
   read_element_sets(reader, level, part);
+  read_shell_sets(reader, level, part);
   read_constraints(reader, level, part);
   return part;
 }

@@ -5,13 +5,14 @@
 #include <algorithm>
 
 namespace glisson::detail {
-namespace {
 
-double positive(const XmlElement& element) {
+double positive_number(const XmlElement& element) {
   const double value = element.number();
   if (!(value > 0)) element.fail("it is " + element.text() + ", but must be greater than 0");
   return value;
 }
+
+namespace {
 
 double not_negative(const XmlElement& element) {
   const double value = element.number();
@@ -38,9 +39,9 @@ Stepper stepper_named(const XmlElement& element) {
 
 QuasiStatic read_quasi_static(const XmlElement& element) {
   QuasiStatic settings;
-  if (const auto child = element.child("ForceTolerance")) settings.force_tolerance = positive(*child);
+  if (const auto child = element.child("ForceTolerance")) settings.force_tolerance = positive_number(*child);
   if (const auto child = element.child("DisplacementTolerance"))
-    settings.displacement_tolerance = positive(*child);
+    settings.displacement_tolerance = positive_number(*child);
   if (const auto child = element.child("MaxSteps")) {
     settings.max_steps = child->integer();
     if (settings.max_steps < 1) child->fail("it is " + child->text() + ", but must be at least 1");
@@ -51,11 +52,11 @@ QuasiStatic read_quasi_static(const XmlElement& element) {
 void read_times(const XmlElement& system, TimeSettings& time) {
   if (const auto child = system.child("QuasiStatic")) time.quasi_static = read_quasi_static(*child);
   if (const auto child = system.child("TotalTime"))
-    time.total = positive(*child);
+    time.total = positive_number(*child);
   else if (!time.quasi_static)
     system.required_child("TotalTime");
   if (const auto child = system.child("TimeStep"); child != nullptr && child->required_text() != "auto")
-    time.step = positive(*child);
+    time.step = positive_number(*child);
   if (time.step && time.total > 0 && *time.step > time.total)
     system.child("TimeStep")
         ->fail("a step of " + system.child("TimeStep")->text() + " is longer than TotalTime");
@@ -69,12 +70,12 @@ void read_system_params(Reader& reader, const XmlElement& model, TimeSettings& t
   read_times(system, time);
   if (const auto child = system.child("DampingCoeff")) time.damping = not_negative(*child);
   if (const auto child = system.child("SafetyFactor")) {
-    time.safety = positive(*child);
+    time.safety = positive_number(*child);
     if (time.safety > 1)
       child->fail("it is " + child->text() + ": above 1 the step is not stable; use 0.5 to 0.9");
   }
   if (const auto child = system.child("TimeStepper")) time.stepper = stepper_named(*child);
-  if (const auto child = system.child("MassScaling")) time.mass_scaling_step = positive(*child);
+  if (const auto child = system.child("MassScaling")) time.mass_scaling_step = positive_number(*child);
   if (const auto child = system.child("EnergyTolerance")) time.energy_tolerance = child->number();
   if (const auto child = system.child("MonitorFreq")) {
     const auto every = child->integer();
@@ -82,7 +83,7 @@ void read_system_params(Reader& reader, const XmlElement& model, TimeSettings& t
       child->fail("it is " + child->text() + ", but must be 0 to 1e9 steps");
     time.monitor_every = static_cast<int>(every);
   }
-  if (const auto child = system.child("Density")) reader.density = positive(*child);
+  if (const auto child = system.child("Density")) reader.density = positive_number(*child);
   if (const auto child = system.child("HGKappa")) reader.hourglass = not_negative(*child);
   reader.total_time = time.total > 0 ? time.total : pseudo_time;
 }

@@ -23,6 +23,8 @@ inline void keep_nodes(Mesh& mesh, const std::vector<int>& renumber) {
     array.values.resize(kept.size() * components);
   }
   for (int& n : mesh.nodes) n = renumber[static_cast<std::size_t>(n)];
+  for (auto& triangle : mesh.triangles)
+    for (int& n : triangle) n = renumber[static_cast<std::size_t>(n)];
 }
 
 }  // namespace glisson::detail

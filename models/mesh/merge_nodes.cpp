@@ -69,20 +69,25 @@ double width_for(const std::vector<Vec3<double>>& X, double distance) {
   return std::max(distance, 1e-15 * extent);
 }
 
+void check_nodes(std::span<const int> nodes, const std::vector<int>& renumber, double distance,
+                 const char* what, int e) {
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      if (nodes[a] == nodes[b]) continue;  // it was so before
+      if (renumber[static_cast<std::size_t>(nodes[a])] == renumber[static_cast<std::size_t>(nodes[b])])
+        throw Error(ErrorKind::input,
+                    "merging nodes that are closer than " + std::to_string(distance) + " joins nodes " +
+                        std::to_string(nodes[b]) + " and " + std::to_string(nodes[a]) +
+                        " of one element, which would have no volume. Use a smaller distance",
+                    {{}, 0, what + std::to_string(e)});
+    }
+}
+
 void check_elements(const Mesh& mesh, const std::vector<int>& renumber, double distance) {
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.element(e);
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b) {
-        if (nodes[a] == nodes[b]) continue;  // it was so before
-        if (renumber[static_cast<std::size_t>(nodes[a])] == renumber[static_cast<std::size_t>(nodes[b])])
-          throw Error(ErrorKind::input,
-                      "merging nodes that are closer than " + std::to_string(distance) + " joins nodes " +
-                          std::to_string(nodes[b]) + " and " + std::to_string(nodes[a]) +
-                          " of one element, which would have no volume. Use a smaller distance",
-                      {{}, 0, "element " + std::to_string(e)});
-      }
-  }
+  for (int e = 0; e < mesh.element_count(); ++e)
+    check_nodes(mesh.element(e), renumber, distance, "element ", e);
+  for (std::size_t e = 0; e < mesh.triangles.size(); ++e)
+    check_nodes(mesh.triangles[e], renumber, distance, "shell triangle ", static_cast<int>(e));
 }
 
 }  // namespace

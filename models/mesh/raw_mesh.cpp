@@ -37,15 +37,6 @@ void add_solid(const RawMesh& raw, std::size_t c, Mesh& mesh) {
                                                  nodes[7], nodes[6]});
 }
 
-NamedArray chosen_rows(const NamedArray& array, const std::vector<std::size_t>& chosen) {
-  NamedArray result{array.components, {}};
-  const auto components = static_cast<std::size_t>(array.components);
-  result.values.reserve(chosen.size() * components);
-  for (const auto c : chosen)
-    for (std::size_t i = 0; i < components; ++i) result.values.push_back(array.values[c * components + i]);
-  return result;
-}
-
 /// Material parameters must not come from holes, and results with a NaN are never written: such arrays are
 /// left out.
 void keep_array(const std::string& name, NamedArray array, const char* kind,
@@ -69,16 +60,16 @@ bool is_label(const NamedArray& array) {
 }
 
 /// Takes the first of the usual names whose values are whole numbers out of the arrays.
-void take_label(Mesh& mesh) {
+void take_label(std::map<std::string, NamedArray>& arrays, std::vector<int>& label) {
   constexpr const char* names[] = {
       "label",          "labels",        "region",     "regions",         "material",        "materials",
       "material_id",    "material_ids",  "materialid", "materialids",     "physicalids",     "gmsh:physical",
       "celldata:label", "cellentityids", "medit:ref",  "elementblockids", "gmsh:geometrical"};
   for (const auto wanted : names)
-    for (auto array = mesh.cell_arrays.begin(); array != mesh.cell_arrays.end(); ++array) {
+    for (auto array = arrays.begin(); array != arrays.end(); ++array) {
       if (!same_word(array->first, wanted) || !is_label(array->second)) continue;
-      for (const double v : array->second.values) mesh.label.push_back(static_cast<int>(v));
-      mesh.cell_arrays.erase(array);
+      for (const double v : array->second.values) label.push_back(static_cast<int>(v));
+      arrays.erase(array);
       return;
     }
 }
@@ -157,25 +148,9 @@ bool add_facets(std::span<const int> nodes, int code, std::vector<Facet>& facets
   return dropped;
 }
 
-}  // namespace
-
-Mesh solid_mesh(RawMesh& raw, const std::string& file) {
-  Mesh mesh;
-  const auto chosen = add_solids(raw, file, mesh);
-  if (!raw.label.empty())
-    for (const auto c : chosen) mesh.label.push_back(raw.label[c]);
-  for (const auto& [name, array] : raw.cell_arrays)
-    keep_array(name, chosen_rows(array, chosen), "cell", mesh.cell_arrays, raw.warnings);
-  for (auto& [name, array] : raw.point_arrays)
-    keep_array(name, std::move(array), "point", mesh.point_arrays, raw.warnings);
-  mesh.X = std::move(raw.X);
-  if (mesh.label.empty()) take_label(mesh);
-  turn_tetrahedra(mesh, raw.warnings);
-  return mesh;
-}
-
-SurfaceMesh surface_mesh(RawMesh& raw, const std::string& file) {
-  SurfaceMesh surface;
+/// Facets that the file lists; which cell each came from. True when there are solids too.
+bool listed_facets(RawMesh& raw, const std::string& file, std::vector<Facet>& facets,
+                   std::vector<std::size_t>& cells) {
   std::size_t dropped = 0;
   bool solids = false;
   for (std::size_t c = 0; c < raw.cell_count(); ++c) {
@@ -187,10 +162,59 @@ SurfaceMesh surface_mesh(RawMesh& raw, const std::string& file) {
     if (use != CellUse::facet) continue;
     check_nodes(raw, c, file);
     if (raw.cell(c).size() < 3) fail_at(file, c, "a facet needs at least 3 nodes");
-    dropped += add_facets(raw.cell(c), raw.code[c], surface.facets);
+    dropped += add_facets(raw.cell(c), raw.code[c], facets);
+    cells.resize(facets.size(), c);
   }
   if (dropped > 0)
     raw.warnings.push_back(std::to_string(dropped) + " facets have the same vertex twice and were left out");
+  return solids;
+}
+
+}  // namespace
+
+NamedArray chosen_rows(const NamedArray& array, const std::vector<std::size_t>& chosen) {
+  NamedArray result{array.components, {}};
+  const auto components = static_cast<std::size_t>(array.components);
+  result.values.reserve(chosen.size() * components);
+  for (const auto c : chosen)
+    for (std::size_t i = 0; i < components; ++i) result.values.push_back(array.values[c * components + i]);
+  return result;
+}
+
+LabelledSurface labelled_surface(RawMesh& raw, const std::string& file) {
+  LabelledSurface result;
+  std::vector<std::size_t> cells;
+  listed_facets(raw, file, result.surface.facets, cells);
+  if (!raw.label.empty())
+    for (const auto c : cells) result.label.push_back(raw.label[c]);
+  for (const auto& [name, array] : raw.cell_arrays)
+    if (array.values.size() == raw.cell_count() * static_cast<std::size_t>(array.components))
+      keep_array(name, chosen_rows(array, cells), "facet", result.arrays, raw.warnings);
+  if (result.label.empty()) take_label(result.arrays, result.label);
+  result.label.resize(cells.size(), 0);
+  result.surface.X = std::move(raw.X);
+  return result;
+}
+
+Mesh solid_mesh(RawMesh& raw, const std::string& file) {
+  Mesh mesh;
+  const auto chosen = add_solids(raw, file, mesh);
+  if (!raw.label.empty())
+    for (const auto c : chosen) mesh.label.push_back(raw.label[c]);
+  for (const auto& [name, array] : raw.cell_arrays)
+    keep_array(name, chosen_rows(array, chosen), "cell", mesh.cell_arrays, raw.warnings);
+  for (auto& [name, array] : raw.point_arrays)
+    keep_array(name, std::move(array), "point", mesh.point_arrays, raw.warnings);
+  mesh.X = std::move(raw.X);
+  if (mesh.label.empty()) take_label(mesh.cell_arrays, mesh.label);
+  turn_tetrahedra(mesh, raw.warnings);
+  return mesh;
+}
+
+SurfaceMesh surface_mesh(RawMesh& raw, const std::string& file) {
+  SurfaceMesh surface;
+  std::vector<std::size_t> cells;
+  const bool solids = listed_facets(raw, file, surface.facets, cells);
   if (!surface.facets.empty()) {
     surface.X = std::move(raw.X);
     return surface;

@@ -9,6 +9,7 @@
 
 #include <glisson/core/mesh/mesh.hpp>
 #include <glisson/models/mesh/cell_types.hpp>
+#include <glisson/models/mesh/read_mesh.hpp>
 
 namespace glisson::detail {
 
@@ -38,6 +39,12 @@ struct RawMesh {
 /// Tetrahedra and hexahedra of the file, turned where needed. Error(input) when there is none, or a solid
 /// that is neither. `file` is named in errors; warnings are added to raw.warnings.
 Mesh solid_mesh(RawMesh& raw, const std::string& file);
+
+/// Rows of an array.
+NamedArray chosen_rows(const NamedArray& array, const std::vector<std::size_t>& chosen);
+
+/// Facets that the file lists, with labels and arrays; none when there are only solids.
+LabelledSurface labelled_surface(RawMesh& raw, const std::string& file);
 
 /// Triangles and quadrilaterals of the file; larger polygons are cut into fans. Without any, the outer
 /// surface of the solids. Nodes keep their numbers.

@@ -142,9 +142,19 @@ SurfaceMesh read_surface_mesh(const std::string& path, Warnings* warnings) {
   return parse_surface_mesh(text, path, mesh_format(text, path), warnings);
 }
 
+LabelledSurface read_labelled_surface(const std::string& path, Warnings* warnings) {
+  const auto text = contents_of(path);
+  auto raw = parse(text, path, mesh_format(text, path));
+  LabelledSurface surface = detail::labelled_surface(raw, path);
+  hand_over(raw.warnings, path, warnings);
+  return surface;
+}
+
 std::vector<int> drop_unused_nodes(Mesh& mesh) {
   std::vector<int> renumber(mesh.X.size(), -1);
   for (const int n : mesh.nodes) renumber[static_cast<std::size_t>(n)] = 0;
+  for (const auto& triangle : mesh.triangles)
+    for (const int n : triangle) renumber[static_cast<std::size_t>(n)] = 0;
   int next = 0;
   for (int& n : renumber)
     if (n == 0) n = next++;

@@ -2,6 +2,7 @@
 // doc/meshes.md.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,16 @@ Mesh read_solid_mesh(const std::string& path, Warnings* warnings = nullptr);
 /// Facets of a file of any format; of a file that has solids only, their outer surface. Polygons of more than
 /// 4 vertices are cut into triangles; the vertices of STL files are merged where they are equal.
 SurfaceMesh read_surface_mesh(const std::string& path, Warnings* warnings = nullptr);
+
+/// Facets that a file lists, with the labels and arrays of its cells.
+struct LabelledSurface {
+  SurfaceMesh surface;
+  std::vector<int> label;                    ///< [-]  [facet_count]; 0 where the file has none
+  std::map<std::string, NamedArray> arrays;  ///< [facet_count]
+};
+
+/// The same facets; none when the file has solids only. Nodes keep their numbers.
+LabelledSurface read_labelled_surface(const std::string& path, Warnings* warnings = nullptr);
 
 /// The same from memory; `file` is named in messages.
 Mesh parse_solid_mesh(std::string_view text, const std::string& file, MeshFormat format,

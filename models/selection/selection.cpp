@@ -39,8 +39,8 @@ bool holds(const std::vector<int>& values, int value) {
   return std::find(values.begin(), values.end(), value) != values.end();
 }
 
-int label_of(const Mesh& mesh, int e) {
-  return mesh.label.empty() ? 0 : mesh.label[static_cast<std::size_t>(e)];
+int label_of_element(const Mesh& mesh, int e) {
+  return mesh.label.empty() || e < 0 ? 0 : mesh.label[static_cast<std::size_t>(e)];
 }
 
 /// and, or, not of masks that `mask_of` gives for the parts.
@@ -74,11 +74,20 @@ const std::vector<Facet>& SelectionMesh::surface() const {
   return *surface_;
 }
 
+int SelectionMesh::label_of(std::size_t facet) const {
+  const int e = surface()[facet].element;
+  return e < 0 && facet < facet_labels_.size() ? facet_labels_[facet] : label_of_element(mesh_, e);
+}
+
 std::vector<char> SelectionMesh::labelled_nodes(const std::vector<int>& labels) const {
   std::vector<char> mask(mesh_.X.size(), 0);
   for (int e = 0; e < mesh_.element_count(); ++e)
-    if (holds(labels, label_of(mesh_, e)))
+    if (holds(labels, label_of_element(mesh_, e)))
       for (const int n : mesh_.element(e)) mask[static_cast<std::size_t>(n)] = 1;
+  for (std::size_t i = 0; i < facet_labels_.size(); ++i)
+    if (holds(labels, facet_labels_[i]))
+      for (int a = 0; a < surface()[i].node_count(); ++a)
+        mask[static_cast<std::size_t>(surface()[i].nodes[static_cast<std::size_t>(a)])] = 1;
   return mask;
 }
 
@@ -106,7 +115,7 @@ std::vector<char> SelectionMesh::facet_mask(const Selection& s) const {
       for (int a = 0; a < facet.node_count(); ++a)
         mask[i] &= listed_nodes[static_cast<std::size_t>(facet.nodes[static_cast<std::size_t>(a)])];
     else if (s.kind == Kind::label)
-      mask[i] = holds(s.integers, label_of(mesh_, facet.element));
+      mask[i] = holds(s.integers, label_of(i));
     else if (s.kind == Kind::normal)
       mask[i] = faces(s, facet_normal(facet, mesh_.X));
     else

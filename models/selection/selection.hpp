@@ -37,24 +37,29 @@ struct Selection {
   std::vector<Selection> parts;
 };
 
-/// A mesh with its outer surface, which is found at the first need.
+/// A mesh with its outer surface, which is found at the first need, or with other facets.
 class SelectionMesh {
  public:
   explicit SelectionMesh(const Mesh& mesh) : mesh_(mesh) {}
+  /// Instead of the outer surface these facets, with a label each.  [facets]
+  SelectionMesh(const Mesh& mesh, std::vector<Facet> facets, std::vector<int> labels)
+      : mesh_(mesh), surface_(std::move(facets)), facet_labels_(std::move(labels)) {}
 
   const Mesh& mesh() const { return mesh_; }
   const std::vector<Facet>& surface() const;
-  std::vector<int> nodes(const Selection& selection) const;     ///< sorted, each once
-  std::vector<Facet> facets(const Selection& selection) const;  ///< of the outer surface, in its order
+  std::vector<int> nodes(const Selection& selection) const;        ///< sorted, each once
+  std::vector<Facet> facets(const Selection& selection) const;     ///< of the outer surface, in its order
+  std::vector<char> facet_mask(const Selection& selection) const;  ///< 1 where selected  [facet_count]
   /// 1 where the node is selected.  [node_count]
   std::vector<char> node_mask(const Selection& selection) const;
 
  private:
-  std::vector<char> facet_mask(const Selection& selection) const;
+  int label_of(std::size_t facet) const;
   std::vector<char> labelled_nodes(const std::vector<int>& labels) const;
 
   const Mesh& mesh_;
   mutable std::optional<std::vector<Facet>> surface_;
+  std::vector<int> facet_labels_;  ///< of given facets
 };
 
 }  // namespace glisson

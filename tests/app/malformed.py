@@ -13,6 +13,11 @@ def floor(facets, count=1, more=""):
             f'<Elements NumEls="{count}" Type="T3"> {facets} </Elements>{more}</ContactSurface><SystemParams>')
 
 
+def shell(elements, sizes="<Thickness> 0.01 </Thickness>", law='Type="NeoHookean"> 1000'):
+    return (f'{elements}<ShellElementSet Size="all"><Material {law} <Density> 1000 </Density>{sizes}</Material>'
+            '</ShellElementSet><SystemParams>')
+
+
 # (name, what is replaced in the valid file, by what)
 REPLACED = [
     ("root", "<Model units=\"SI\">", "<Modell units=\"SI\">"),
@@ -82,7 +87,14 @@ REPLACED = [
      "</Constraint><SystemParams>"),
     ("file_absent", "<SystemParams>", '<Constraint Type="Disp" DOF="0" NumNodes="8" LoadShape="STEP"><Nodes> 0 </Nodes>'
      '<Magnitudes Type="FILE"> no_such_file.txt </Magnitudes></Constraint><SystemParams>'),
-    ("shells", "<SystemParams>", '<ShellElements Type="SURFACE"/><SystemParams>'),
+    ("shells_without_set", "<SystemParams>", '<ShellElements Type="SURFACE"/><SystemParams>'),
+    ("shell_thickness", "<SystemParams>", shell('<ShellElements Type="SURFACE"/>', "<Thickness> 0 </Thickness>")),
+    ("shell_no_area", "<SystemParams>", shell('<ShellElements Type="T3"> 0 1 1 </ShellElements>')),
+    ("shell_twice", "<SystemParams>", shell('<ShellElements Type="T3"> 0 1 2  1 2 0 </ShellElements>')),
+    ("shell_node", "<SystemParams>", shell('<ShellElements Type="T3"> 0 1 8 </ShellElements>')),
+    ("shell_branch", "<SystemParams>", shell('<ShellElements Type="T3"> 0 1 2  0 1 4  0 1 7 </ShellElements>',
+                                             law='Type="LinearShell"> 1000 0.3 1000 0.3')),
+    ("shell_moebius", "<SystemParams>", shell('<ShellElements Type="T3"> 0 1 2  1 2 3  2 3 4  3 4 0  4 0 1 </ShellElements>')),
     ("contact_surface", "<SystemParams>", "<ContactSurface/><SystemParams>"),
     ("contact_surface_flat", "<SystemParams>", floor("0 1 1")),
     ("contact_surface_fin", "<SystemParams>", floor("0 1 2  1 0 3  0 1 4", 3)),
