@@ -8,12 +8,15 @@
 #include <glisson/app/commands.hpp>
 #include <glisson/app/mesh_quality.hpp>
 #include <glisson/app/read_input.hpp>
+#include <glisson/core/mesh/triangles.hpp>
 #include <glisson/core/solids/stable_step.hpp>
+#include <glisson/shells/inertia.hpp>
 
 namespace glisson::app {
 namespace {
 
 void print_quality(const Mesh& mesh) {
+  if (mesh.element_count() == 0) return;
   std::vector<std::pair<double, int>> quality;
   quality.reserve(mesh.shape.size());
   for (int e = 0; e < mesh.element_count(); ++e) quality.emplace_back(element_quality(mesh, e), e);
@@ -39,6 +42,32 @@ void print_steps(const Model& model) {
                slow);
   }
   fmt::print("\n");
+}
+
+/// Thickness, mass, shape and step of each set of membranes and shells.
+void print_shells(const Model& model) {
+  if (model.shells.empty()) return;
+  const auto steps = shells::triangle_steps(model);  // by section
+  std::size_t i = 0;
+  for (const ShellSection& section : model.shells) {
+    double area = 0, mass = 0, thinnest = section.thickness_of(0), thickest = thinnest;
+    std::pair<double, int> worst{2, -1}, smallest{steps[i].dt, section.elements[0]};
+    for (std::size_t k = 0; k < section.elements.size(); ++k, ++i) {
+      const auto& triangle = model.mesh.triangles[static_cast<std::size_t>(section.elements[k])];
+      const double its_area = triangle_area(triangle, model.mesh.X), h = section.thickness_of(k);
+      area += its_area, mass += section.density_of(k) * h * its_area;
+      thinnest = std::min(thinnest, h), thickest = std::max(thickest, h);
+      worst = std::min(worst, {triangle_quality(triangle, model.mesh), section.elements[k]});
+      smallest = std::min(smallest, {steps[i].dt, section.elements[k]});
+    }
+    fmt::print("{}: {} triangles ({}, {}), area {:.4g}, thickness {:.4g}", section.name,
+               section.elements.size(), name_of(section.formulation), section.law, area, thinnest);
+    if (thickest > thinnest) fmt::print(" to {:.4g}", thickest);
+    fmt::print(
+        ", mass {:.4g}; quality: worst {:.3f} (triangle {}); smallest step without other mass {:.3g} s "
+        "(triangle {})\n",
+        mass, worst.first, worst.second, smallest.first, smallest.second);
+  }
 }
 
 /// Seconds per step, from a few of them.
@@ -72,11 +101,13 @@ void predict(AnySimulation& simulation, const StepReport& report) {
 int check(const CheckArguments& arguments) {
   const CheckedModel input = read_and_validate(arguments.file, arguments.lenient);
   const Model& model = input.model;
-  fmt::print("{}: {} nodes, {} elements in {} sets, units {}\n", model.name, model.mesh.node_count(),
-             model.mesh.element_count(), model.sections.size(),
+  fmt::print("{}: {} nodes, {} elements in {} sets, {} shell triangles in {}, units {}\n", model.name,
+             model.mesh.node_count(), model.mesh.element_count(), model.sections.size(),
+             model.mesh.triangles.size(), model.shells.size(),
              model.units.empty() ? "not declared" : model.units);
   print_quality(model.mesh);
   print_steps(model);
+  print_shells(model);
   SimulationOptions options = arguments.simulation;
   options.validated = true;
   const auto simulation = in_file(arguments.file, [&] { return make_simulation(model, options); });

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <glisson/core/mesh/triangles.hpp>
+
 namespace glisson::app {
 namespace {
 
@@ -38,6 +40,16 @@ double element_quality(const Mesh& mesh, int element) {
   const auto nodes = mesh.element(element);
   for (std::size_t a = 0; a < nodes.size(); ++a) X[a] = mesh.X[static_cast<std::size_t>(nodes[a])];
   return nodes.size() == 4 ? tetrahedron_quality(X) : hexahedron_quality(X);
+}
+
+double triangle_quality(const std::array<int, 3>& triangle, const Mesh& mesh) {
+  double squares = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto side = mesh.X[static_cast<std::size_t>(triangle[(a + 1) % 3])] -
+                      mesh.X[static_cast<std::size_t>(triangle[a])];
+    squares += dot(side, side);
+  }
+  return squares > 0 ? 4 * std::sqrt(3.0) * triangle_area(triangle, mesh.X) / squares : 0;
 }
 
 }  // namespace glisson::app

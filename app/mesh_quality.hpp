@@ -10,4 +10,8 @@ namespace glisson::app {
 /// 8 corners (Knupp 2000).
 double element_quality(const Mesh& mesh, int element);
 
+/// 1 for the equilateral triangle, 0 for one without area: 4 sqrt(3) A / sum of squared sides (Bhatia and
+/// Lawrence 1990).
+double triangle_quality(const std::array<int, 3>& triangle, const Mesh& mesh);
+
 }  // namespace glisson::app

@@ -61,8 +61,8 @@ void print_summary(const RunSummary& s) {
                s.steps, s.residuals[0], s.residuals[1]);
   fmt::print("{} steps in {}, {:.3f} ms per step ({:.1f} ns per element and step); set-up {}, output {}\n",
              s.steps, duration_text(s.timings.stepping), 1e3 * s.timings.stepping / steps,
-             1e9 * s.timings.stepping / steps / std::max(1, s.element_count), duration_text(s.timings.set_up),
-             duration_text(s.timings.output));
+             1e9 * s.timings.stepping / steps / std::max(1, s.element_count + s.triangle_count),
+             duration_text(s.timings.set_up), duration_text(s.timings.output));
   fmt::print("memory {} at most ({} for the simulation)\n", bytes_text(static_cast<double>(s.peak_bytes)),
              bytes_text(static_cast<double>(s.simulation_bytes)));
   fmt::print("written:");

@@ -18,7 +18,7 @@ bool same_mesh(const Mesh& a, const Mesh& b) {
   const auto same = [](const Vec3<double>& p, const Vec3<double>& q) {
     return p.x == q.x && p.y == q.y && p.z == q.z;
   };
-  if (a.element_count() != b.element_count()) return false;
+  if (a.element_count() != b.element_count() || a.triangles != b.triangles) return false;
   for (int e = 0; e < a.element_count(); ++e) {
     const auto p = a.element(e), q = b.element(e);
     if (!std::equal(p.begin(), p.end(), q.begin(), q.end())) return false;
@@ -47,7 +47,9 @@ std::unique_ptr<AnyEnsemble> make_ensemble(std::vector<Model> members, const Sim
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const bool small = members[0].mesh.node_count() <= most_nodes_for_lanes;
+  // Lanes compute solids together and everything else member by member: without solids nothing is gained.
+  const bool small =
+      members[0].mesh.element_count() > 0 && members[0].mesh.node_count() <= most_nodes_for_lanes;
   if (cpu && small && options.precision == Precision::single_precision)
     return detail::lane_ensemble(std::move(members), threads, options.instruction_set);
   if (cpu && options.precision == Precision::double_precision)

@@ -38,6 +38,13 @@ const std::vector<std::string> history_columns{"time [s]",    "dt [s]",        "
                                                "damping [J]", "external [J]",  "prescribed [J]",
                                                "contact [J]", "imbalance [J]", "largest displacement [m]"};
 
+/// With the part of the strain energy in membranes and shells where there are some.
+std::vector<std::string> columns_of(const Model& model) {
+  auto columns = history_columns;
+  if (!model.shells.empty()) columns.emplace_back("shell strain [J]");
+  return columns;
+}
+
 std::string text(double value) {
   std::ostringstream out;
   out.imbue(std::locale::classic());
@@ -88,6 +95,7 @@ bool Runner::run() {
   summary_.units = model_.units;
   summary_.node_count = model_.mesh.node_count();
   summary_.element_count = model_.mesh.element_count();
+  summary_.triangle_count = static_cast<int>(model_.mesh.triangles.size());
   summary_.total_time = model_.time.total;
   summary_.warnings = options_.warnings;
   summary_.timings.read = options_.read_seconds;
@@ -159,12 +167,12 @@ void Runner::open_files() {
   const auto& variables = model_.output.variables;
   if (!options_.resume) {
     files_->series.emplace(directory, stem);
-    files_->history.emplace(directory / "history.csv", history_columns);
+    files_->history.emplace(directory / "history.csv", columns_of(model_));
     if (!variables.empty()) files_->texts.emplace(*options_.text_prefix, variables);
   } else {
     files_->series.emplace(PvdSeries::resume(directory, stem, t));
     files_->history.emplace(
-        HistoryCsv::resume(directory / "history.csv", history_columns, simulation_->step_count()));
+        HistoryCsv::resume(directory / "history.csv", columns_of(model_), simulation_->step_count()));
     if (!variables.empty()) files_->texts.emplace(TextWriter::resume(*options_.text_prefix, variables, t));
   }
   summary_.files = {files_->series->collection().string(), (directory / "history.csv").string(),
@@ -193,18 +201,19 @@ void Runner::account() {
   const auto u = simulation_->displacement();
   simulation_->step();
   const Energies e = simulation_->energies();
-  const double values[] = {t,
-                           simulation_->report().dt,
-                           e.kinetic,
-                           e.strain,
-                           e.hourglass,
-                           e.viscous,
-                           e.damping,
-                           e.external,
-                           e.prescribed,
-                           e.contact,
-                           e.imbalance(),
-                           largest(u).first};
+  std::vector<double> values{t,
+                             simulation_->report().dt,
+                             e.kinetic,
+                             e.strain,
+                             e.hourglass,
+                             e.viscous,
+                             e.damping,
+                             e.external,
+                             e.prescribed,
+                             e.contact,
+                             e.imbalance(),
+                             largest(u).first};
+  if (!model_.shells.empty()) values.push_back(e.shell);
   files_->history->append(step, values);
 }
 

@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include <glisson/models/output/atomic_file.hpp>
@@ -40,7 +42,7 @@ Json step_of(const RunSummary& s) {
 Json timings_of(const RunSummary& s) {
   const RunTimings& t = s.timings;
   const double steps = s.steps > 0 ? static_cast<double>(s.steps) : 1;
-  const double elements = s.element_count > 0 ? s.element_count : 1;
+  const double elements = std::max(1, s.element_count + s.triangle_count);
   Json timings{{"read_s", t.read},
                {"set_up_s", t.set_up},
                {"stepping_s", t.stepping},
@@ -57,6 +59,7 @@ Json as_json(const RunSummary& s) {
   if (!s.message.empty()) j["message"] = s.message;
   j["model"] = {
       {"name", s.model}, {"units", s.units}, {"nodes", s.node_count}, {"elements", s.element_count}};
+  if (s.triangle_count > 0) j["model"]["shell_triangles"] = s.triangle_count;
   if (!s.model_file.empty()) j["model"]["file"] = s.model_file;
   j["device"] = s.device;
   if (!s.device_choice.empty()) j["device_choice"] = s.device_choice;
@@ -65,6 +68,7 @@ Json as_json(const RunSummary& s) {
   j["steps"] = step_of(s);
   j["largest_displacement"] = {{"value", s.largest_displacement}, {"node", s.largest_node}};
   j["energies"] = energies_of(s.energies);
+  if (s.triangle_count > 0) j["energies"]["shell_strain"] = s.energies.shell;
   j["snapshots"] = s.snapshots;
   j["timings"] = timings_of(s);
   j["memory"] = {{"simulation_bytes", s.simulation_bytes}, {"peak_bytes", s.peak_bytes}};

@@ -21,8 +21,8 @@ struct RunSummary {
   std::string message;             ///< of the error; empty without one
   std::string model, units, device;
   std::string device_choice;  ///< what auto chose and why; empty when a device was asked for
-  std::string model_file;  ///< empty: the model came from no file
-  int node_count = 0, element_count = 0;
+  std::string model_file;     ///< empty: the model came from no file
+  int node_count = 0, element_count = 0, triangle_count = 0;
   std::int64_t steps = 0;
   double time = 0, total_time = 0;  ///< reached and planned [s]
   StepReport report;

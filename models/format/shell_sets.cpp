@@ -70,17 +70,14 @@ void read_clamped(const Reader& reader, const XmlElement& set, const ShellSectio
   for (const auto element : set.all("ClampedNodes")) {
     if (section.formulation == ShellFormulation::membrane)
       reader.warn(*element, "it has no effect: a membrane has no bending stiffness");
-    const Choice choice = read_choice(reader, *element, part.model.mesh);
     std::vector<int> nodes;
     if (element->has_text())
       nodes =
           index_list(*element, element->integer_attribute("NumNodes"), part.model.mesh.node_count(), "nodes");
-    else if (choice.list)
-      nodes = *choice.list;
-    else if (!choice.filter.parts.empty())
-      nodes = mesh.nodes(choice.filter);
-    if (nodes.empty() && !choice.empty_on_purpose)
-      element->fail("it names no node; list them, or choose them with <Box>, <Normal>, ...");
+    else if (const Selection filter = facet_filter(read_choice(reader, *element, part.model.mesh));
+             !filter.parts.empty())
+      nodes = mesh.nodes(filter);
+    if (nodes.empty()) element->fail("it names no node; list them, or choose them with <Box>, <Normal>, ...");
     auto& clamped = part.model.clamped_nodes;
     clamped.insert(clamped.end(), nodes.begin(), nodes.end());
   }

@@ -45,6 +45,36 @@ class InFolder(unittest.TestCase):
             self.assertIn(text, done.stderr if code else everything)
 
 
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples" / "membrane"
+
+
+class Shells(InFolder):
+    def summary(self, name, *options):
+        folder = self.folder / name
+        self.expect(run("run", EXAMPLES / f"{name}.xml", "-o", folder, *options), 0)
+        return json.loads((folder / "summary.json").read_text())
+
+    def test_examples_give_one_result_on_every_device(self):
+        for name in ("inflated", "capsule"):
+            largest = [self.summary(name, "--device", device, "--precision", precision)["largest_displacement"]["value"]
+                       for device in ("cpu", "serial", "emulated") for precision in ("single", "double")]
+            self.assertLess(max(largest) - min(largest), 1e-4 * max(largest))
+            self.assertGreater(min(largest), 0.001)
+
+    def test_energies_of_shells(self):
+        inflated, capsule = self.summary("inflated"), self.summary("capsule")
+        self.assertEqual(inflated["model"]["shell_triangles"], 32)
+        self.assertAlmostEqual(inflated["energies"]["shell_strain"], inflated["energies"]["strain"])
+        self.assertLess(0, capsule["energies"]["shell_strain"])
+        self.assertLess(capsule["energies"]["shell_strain"], capsule["energies"]["strain"])
+        self.assertIn("shell triangle", inflated["steps"]["limited_by"])
+        self.assertTrue((self.folder / "inflated" / "history.csv").read_text().splitlines()[0].endswith("shell strain [J]"))
+
+    def test_check_tells_of_shells(self):
+        self.expect(run("check", EXAMPLES / "inflated.xml"), 0, "32 triangles (membrane, NeoHookean)", "thickness 0.001",
+                    "mass 0.01", "limited by shell triangle")
+
+
 class Usage(InFolder):
     def test_nothing(self):
         self.expect(run(), 2, "subcommand")
