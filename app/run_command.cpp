@@ -45,9 +45,12 @@ class Console {
 
 void print_header(Console& console, const CheckedModel& input) {
   const Mesh& mesh = input.model.mesh;
-  console.log(LogLevel::info,
-              fmt::format("{}: {} nodes, {} elements, read in {}", input.model.name, mesh.node_count(),
-                          mesh.element_count(), duration_text(input.seconds)));
+  console.log(
+      LogLevel::info,
+      fmt::format("{}: {} nodes, {} elements{}, read in {}", input.model.name, mesh.node_count(),
+                  mesh.element_count(),
+                  mesh.triangles.empty() ? "" : fmt::format(", {} shell triangles", mesh.triangles.size()),
+                  duration_text(input.seconds)));
   for (const auto& warning : input.warnings) console.log(LogLevel::warning, warning);
 }
 
