@@ -72,6 +72,8 @@ void add_run(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"NF", "LNF", "LNFS", "ND", "ES", "EK"}))
       ->allow_extra_args(false);
   peer->add_option("--output-prefix", a->text_prefix, "put before the names of U.txt and its like");
+  peer->add_option("--export-mesh", a->export_mesh, "file (.vtu) for the end: solids");
+  peer->add_option("--export-membrane", a->export_membrane, "file (.vtp) for the end: membranes and shells");
   command->callback([=, &action] {
     if (*sport && a->simulation.device == "auto") a->simulation.device = "cuda";
     if (*verbose) a->log_level = LogLevel::debug;
@@ -216,10 +218,20 @@ std::vector<std::string> with_own_names(std::vector<std::string> arguments) {
   const std::map<std::string, std::string> long_names{{"-sport", "--sport"},
                                                       {"-plot", "--plot"},
                                                       {"-print", "--print"},
+                                                      {"-export-mesh", "--export-mesh"},
+                                                      {"-export-membrane", "--export-membrane"},
                                                       {"-output-prefix", "--output-prefix"}};
   for (auto& argument : arguments)
     if (const auto found = long_names.find(argument); found != long_names.end()) argument = found->second;
-  const std::vector<std::string> peer{"-x", "-v", "-t", "--sport", "--plot", "--print", "--output-prefix"};
+  const std::vector<std::string> peer{"-x",
+                                      "-v",
+                                      "-t",
+                                      "--sport",
+                                      "--plot",
+                                      "--print",
+                                      "--output-prefix",
+                                      "--export-mesh",
+                                      "--export-membrane"};
   if (!arguments.empty() && std::find(peer.begin(), peer.end(), arguments.front()) != peer.end())
     arguments.insert(arguments.begin(), "run");
   return arguments;

@@ -25,6 +25,7 @@ struct RunArguments {
   double checkpoint_minutes = 10;
   std::vector<std::string> print;  ///< NF LNF LNFS ND ES EK
   std::optional<std::string> text_prefix;
+  std::string export_mesh, export_membrane;  ///< .vtu, .vtp for the end; empty: none
 };
 int run(const RunArguments& arguments);
 /// The ensemble of arguments.table; `stop` ends it.

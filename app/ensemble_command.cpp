@@ -37,6 +37,8 @@ int report_failures(AnyEnsemble& ensemble) {
 int run_table(const RunArguments& arguments, const std::atomic<bool>& stop) {
   refuse(arguments.resume, "--resume");
   refuse(arguments.text_prefix.has_value(), "--output-prefix");
+  refuse(!arguments.export_mesh.empty(), "--export-mesh");
+  refuse(!arguments.export_membrane.empty(), "--export-membrane");
   refuse(!arguments.print.empty(), "--print");
   const bool talk = !arguments.quiet && arguments.log_level >= LogLevel::info;
   const ParameterTable table = read_parameter_table(arguments.table);

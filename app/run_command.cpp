@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include <glisson/app/commands.hpp>
+#include <glisson/app/export_end.hpp>
 #include <glisson/app/print_results.hpp>
 #include <glisson/app/progress_line.hpp>
 #include <glisson/app/read_input.hpp>
@@ -88,6 +89,7 @@ int run(const RunArguments& arguments) {
   Console console(arguments.log_level, arguments.quiet);
   const CheckedModel input = read_and_validate(arguments.file, arguments.lenient);
   print_header(console, input);
+  check_exports(arguments, input.model);
   const RunnerOptions options = runner_options(arguments, input, console);
   Runner runner(input.model, options);
   const bool done = in_file(arguments.file, [&] { return runner.run(); });
@@ -100,6 +102,7 @@ int run(const RunArguments& arguments) {
   if (!arguments.quiet && arguments.log_level >= LogLevel::info) print_summary(summary);
   if (arguments.execution_time) fmt::print("Execution time: {:.0f} ms\n", 1e3 * summary.timings.stepping);
   for (const auto& what : arguments.print) print_result(what, input.model, runner.simulation(), summary);
+  export_end(arguments, input.model, runner.simulation());
   if (arguments.plot) show_end(summary.files.front());
   const bool converged =
       summary.report.ending.empty() || summary.report.ending.rfind("not converged", 0) != 0;

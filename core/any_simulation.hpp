@@ -10,6 +10,7 @@
 
 #include <glisson/core/force_provider.hpp>
 #include <glisson/core/model.hpp>
+#include <glisson/core/result_fields.hpp>
 
 namespace glisson {
 
@@ -27,13 +28,6 @@ struct Energies {
   double imbalance() const {
     return initial + external + prescribed + contact - kinetic - strain - hourglass - viscous - damping;
   }
-};
-
-/// One value per element in the user's numbering; hexahedra with 8 points give the mean over the points.
-struct ElementFields {
-  std::vector<Sym3<double>> stress;  ///< second Piola-Kirchhoff [Pa]
-  std::vector<Sym3<double>> strain;  ///< Green-Lagrange [-]
-  std::vector<double> J;             ///< det F [-]
 };
 
 struct StepReport {
@@ -70,6 +64,7 @@ class AnySimulation {
   virtual std::vector<Vec3<double>> internal_force()
       const = 0;  ///< of the elements on the nodes, F = -f_int [N]
   virtual ElementFields element_fields() const = 0;
+  virtual ShellFields shell_fields() const = 0;
 
   /// Adds a user's provider; before the first step.
   virtual void add(std::unique_ptr<ForceProvider<double>> provider) = 0;

@@ -8,8 +8,7 @@
 #include <glisson/core/base/error.hpp>
 #include <glisson/core/base/number_text.hpp>
 #include <glisson/models/output/atomic_file.hpp>
-#include <glisson/models/output/fields.hpp>
-#include <glisson/models/output/vtu_writer.hpp>
+#include <glisson/models/output/write_state.hpp>
 
 namespace glisson {
 namespace {
@@ -97,10 +96,7 @@ void write_table(const std::filesystem::path& path, const ParameterTable& table,
 void write_states(const std::filesystem::path& directory, const Mesh& mesh, AnyEnsemble& ensemble) {
   for (int k = 0; k < ensemble.member_count(); ++k) {
     if (ensemble.status(k) != MemberStatus::finished) continue;
-    const Snapshot state = Snapshot::of(ensemble.member(k));
-    VtuOptions options;
-    options.time = state.time;
-    write_vtu(directory / ("member-" + std::to_string(k) + ".vtu"), mesh, state.fields(), options);
+    write_state(directory, "member-" + std::to_string(k), mesh, Snapshot::of(ensemble.member(k)));
   }
 }
 

@@ -91,6 +91,8 @@ class ShellBuilder {
     const auto normal = unit(cross(X[1] - X[0], X[2] - X[0]));
     const auto along = first_axis(section.direction_of(k), X[1] - X[0], normal);
     const double h = section.thickness_of(k);
+    const auto axis = unit(along - dot(along, normal) * normal);
+    block.frames.push_back({{axis, cross(normal, axis)}, normal});
     block.nodes.insert(block.nodes.end(), t.begin(), t.end());
     block.pushes.insert(block.pushes.end(), 3, 1);
     block.patch.push_back(e);

@@ -9,11 +9,17 @@
 
 namespace glisson::shells {
 
+/// Axes in the plane of a rest triangle and its normal, unit.
+struct SurfaceFrame {
+  Vec3<double> t[2], normal;
+};
+
 /// One section. Only one of the lists of constants is filled.
 struct HostShells {
   const ShellSection* section = nullptr;
   std::vector<Membrane::Constants<double>> membranes;   ///< [elements]
   std::vector<RotationFree::Constants<double>> shells;  ///< [elements]
+  std::vector<SurfaceFrame> frames;                     ///< [elements]
   std::vector<int> nodes;    ///< user's numbers; a mirror image or a missing neighbour repeats the own node
                              ///< [elements][3 or 6]
   std::vector<char> pushes;  ///< 1 where a slot can get a force            [elements][3 or 6]

@@ -12,6 +12,7 @@
 #include <glisson/core/solids/energy_sum.hpp>
 #include <glisson/core/solids/solid_forces.hpp>
 #include <glisson/shells/laws/laws.hpp>
+#include <glisson/shells/shell_fields.hpp>
 #include <glisson/shells/shell_kernels.hpp>
 
 namespace glisson::shells {
@@ -181,6 +182,11 @@ class ShellForces final : public SolidForces<R> {
       block->set_history(history.data() + place);
       place += block->history_size();
     }
+  }
+  ShellFields shell_fields(const Model& model, std::span<const Vec3<double>> u, double dt) const override {
+    std::vector<double> own;
+    for (const auto& block : blocks_) block->history(own);
+    return shells::shell_fields(model, u, own, dt);
   }
   std::size_t memory_bytes() const override { return bytes_ + (solids_ ? solids_->memory_bytes() : 0); }
 

@@ -41,6 +41,7 @@ class Simulation final : public AnySimulation {
   std::vector<Vec3<double>> velocity() const override;
   std::vector<Vec3<double>> internal_force() const override;
   ElementFields element_fields() const override;
+  ShellFields shell_fields() const override;
   void add(std::unique_ptr<ForceProvider<double>> provider) override;
   void save(std::ostream& out) const override;
   void load(std::istream& in) override;

@@ -139,6 +139,12 @@ ElementFields Simulation<B, R>::element_fields() const {
 }
 
 template <Backend B, class R>
+ShellFields Simulation<B, R>::shell_fields() const {
+  if (model_.shells.empty()) return {};
+  return parts_.solids->shell_fields(model_, displacement(), make_view().dt);
+}
+
+template <Backend B, class R>
 std::size_t Simulation<B, R>::memory_bytes() const {
   return nodes_.memory_bytes() + power_.memory_bytes() + parts_.solids->memory_bytes();
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glisson/core/force_provider.hpp>
 #include <glisson/core/model.hpp>
 #include <glisson/core/numbering.hpp>
+#include <glisson/core/result_fields.hpp>
 
 namespace glisson {
 
@@ -26,6 +28,10 @@ class SolidForces : public ForceProvider<R> {
   virtual std::vector<double> history() const = 0;
   virtual void set_history(const std::vector<double>& history) = 0;
   virtual std::size_t memory_bytes() const = 0;
+  /// For the displacement u [m] in the user's order [node_count]; dt [s] as in element_fields().
+  virtual ShellFields shell_fields(const Model&, std::span<const Vec3<double>> /*u*/, double /*dt*/) const {
+    return {};
+  }
 };
 
 }  // namespace glisson

@@ -20,7 +20,7 @@ Field field(std::string name, std::span<const Sym3<double>> values) {
 
 Snapshot Snapshot::of(const AnySimulation& simulation) {
   return {simulation.time(), simulation.displacement(), simulation.velocity(), simulation.internal_force(),
-          simulation.element_fields()};
+          simulation.element_fields(), simulation.shell_fields()};
 }
 
 Fields Snapshot::fields() const {
@@ -61,9 +61,10 @@ void require_finite(const Field& field, std::size_t count, const char* what, dou
 
 }  // namespace
 
-void require_finite(const Fields& fields, std::size_t node_count, std::size_t element_count, double largest) {
+void require_finite(const Fields& fields, std::size_t node_count, std::size_t cell_count, double largest,
+                    const char* cell) {
   for (const Field& f : fields.point) require_finite(f, node_count, "node", largest);
-  for (const Field& f : fields.cell) require_finite(f, element_count, "element", largest);
+  for (const Field& f : fields.cell) require_finite(f, cell_count, cell, largest);
 }
 
 }  // namespace glisson

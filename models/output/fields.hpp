@@ -13,6 +13,7 @@ struct Field {
   std::string name;
   int components = 1;
   std::span<const double> values;  ///< [-]  [count][components]
+  bool whole = false;              ///< numbers of things: written as Int32
 };
 
 Field field(std::string name, std::span<const double> values);        ///< 1 component
@@ -31,6 +32,7 @@ struct Snapshot {
   std::vector<Vec3<double>> velocity;        ///< [m/s]  [node_count]
   std::vector<Vec3<double>> internal_force;  ///< [N]    [node_count]
   ElementFields elements;                    ///< [element_count] each
+  ShellFields shells;                        ///< [triangle_count] each, or empty
 
   static Snapshot of(const AnySimulation& simulation);
   /// displacement, velocity, internal_force on nodes; stress, strain, J on elements. Empty arrays are left
@@ -40,7 +42,8 @@ struct Snapshot {
 
 /// Throws Error(run) for the first value that is not finite, naming array and node or element, and
 /// Error(usage) for a size that does not fit. `largest` is the largest value that the file's number type
-/// holds.
-void require_finite(const Fields& fields, std::size_t node_count, std::size_t element_count, double largest);
+/// holds; `cell` is what the message calls an element.
+void require_finite(const Fields& fields, std::size_t node_count, std::size_t cell_count, double largest,
+                    const char* cell = "element");
 
 }  // namespace glisson

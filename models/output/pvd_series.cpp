@@ -21,17 +21,18 @@ std::string number(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-std::string file_name(const std::string& stem, std::size_t index) {
+std::string numbered(const std::string& stem, std::size_t index) {
   const std::string count = std::to_string(index);
-  return stem + "_" + std::string(count.size() < digits ? digits - count.size() : 0, '0') + count + ".vtu";
+  return stem + "_" + std::string(count.size() < digits ? digits - count.size() : 0, '0') + count;
 }
 
 /// Only names that this class gives; anything else in a .pvd is somebody else's and is not touched.
 bool is_ours(const std::string& stem, const std::string& file) {
-  const std::size_t start = stem.size() + 1, tail = 4;
-  if (file.size() < start + digits + tail || !file.starts_with(stem + "_") || !file.ends_with(".vtu"))
-    return false;
-  return file.find_first_not_of("0123456789", start) == file.size() - tail;
+  if (!file.starts_with(stem + "_")) return false;
+  const std::size_t start = stem.size() + 1, end = file.find_first_not_of("0123456789", start);
+  if (end == std::string::npos || end < start + digits) return false;
+  const std::string ending = file.substr(end);
+  return ending == ".vtu" || ending == ".vtp" || ending == "_faces.vtp";
 }
 
 [[noreturn]] void foreign(const fs::path& path, const std::string& what) {
@@ -41,6 +42,7 @@ bool is_ours(const std::string& stem, const std::string& file) {
       {path.string()});
 }
 
+/// One file.
 PvdSeries::Entry entry_of(const tinyxml2::XMLElement& element, const std::string& stem,
                           const fs::path& path) {
   const char* time = element.Attribute("timestep");
@@ -51,9 +53,9 @@ PvdSeries::Entry entry_of(const tinyxml2::XMLElement& element, const std::string
   const auto [stop, error] = std::from_chars(time, end, entry.time);
   if (error != std::errc{} || stop != end || !std::isfinite(entry.time))
     foreign(path, "timestep '" + std::string(time) + "' is not a number");
-  entry.file = file;
-  if (!is_ours(stem, entry.file))
-    foreign(path, "it lists '" + entry.file + "', which is no snapshot of this series");
+  entry.files = {file};
+  if (!is_ours(stem, file))
+    foreign(path, "it lists '" + std::string(file) + "', which is no snapshot of this series");
   return entry;
 }
 
@@ -80,7 +82,7 @@ PvdSeries PvdSeries::resume(fs::path directory, std::string stem, double time, V
     if (entry.time <= time)
       series.entries_.push_back(std::move(entry));
     else
-      dropped.push_back(std::move(entry.file));
+      dropped.insert(dropped.end(), entry.files.begin(), entry.files.end());
   }
   series.fresh_ = false;
   if (dropped.empty()) return series;
@@ -101,9 +103,12 @@ std::vector<PvdSeries::Entry> PvdSeries::listed() const {
   std::vector<Entry> entries;
   for (const auto* e = list->FirstChildElement("DataSet"); e != nullptr;
        e = e->NextSiblingElement("DataSet")) {
-    entries.push_back(entry_of(*e, stem_, path));
-    if (entries.size() > 1 && entries.back().time < entries[entries.size() - 2].time)
-      foreign(path, "its times go back");
+    const Entry entry = entry_of(*e, stem_, path);
+    if (!entries.empty() && entry.time < entries.back().time) foreign(path, "its times go back");
+    if (!entries.empty() && entry.time == entries.back().time)
+      entries.back().files.push_back(entry.files[0]);
+    else
+      entries.push_back(entry);
   }
   return entries;
 }
@@ -120,27 +125,27 @@ void PvdSeries::replace_old_series() {
   }
   std::error_code ignored;
   fs::remove(collection(), ignored);
-  for (const Entry& entry : old) fs::remove(directory_ / entry.file, ignored);
+  for (const Entry& entry : old)
+    for (const std::string& file : entry.files) fs::remove(directory_ / file, ignored);
 }
 
 std::string PvdSeries::state() const {
   if (entries_.empty()) return "No snapshot is complete yet.";
-  return "The last complete snapshot is '" + (directory_ / entries_.back().file).string() + "' (time " +
+  return "The last complete snapshot is '" + (directory_ / entries_.back().files[0]).string() + "' (time " +
          number(entries_.back().time) + ").";
 }
 
-void PvdSeries::write(double time, const Mesh& mesh, const Fields& fields) {
+void PvdSeries::write(const Mesh& mesh, const Snapshot& snapshot) {
+  const double time = snapshot.time;
   if (!std::isfinite(time) || (!entries_.empty() && time < entries_.back().time))
     throw Error(ErrorKind::usage, "a snapshot at time " + number(time) + " cannot follow one at " +
                                       number(entries_.empty() ? 0 : entries_.back().time) +
                                       ". Write snapshots in the order of time.");
   if (fresh_) replace_old_series();
-  VtuOptions options = options_;
-  options.time = time;
   std::vector<Entry> entries = entries_;
   if (!entries.empty() && entries.back().time == time) entries.pop_back();
-  entries.push_back({time, file_name(stem_, entries.size())});
-  write_vtu(directory_ / entries.back().file, mesh, fields, options, state());
+  const std::string stem = numbered(stem_, entries.size());
+  entries.push_back({time, write_state(directory_, stem, mesh, snapshot, options_, state())});
   write_collection(entries);
   entries_ = std::move(entries);
 }
@@ -149,8 +154,9 @@ void PvdSeries::write_collection(const std::vector<Entry>& entries) const {
   const auto write = [&](std::ostream& out) {
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
     for (const Entry& entry : entries)
-      out << "<DataSet timestep=\"" << number(entry.time) << "\" part=\"0\" file=\"" << entry.file
-          << "\"/>\n";
+      for (std::size_t part = 0; part < entry.files.size(); ++part)
+        out << "<DataSet timestep=\"" << number(entry.time) << "\" part=\"" << std::to_string(part)
+            << "\" file=\"" << entry.files[part] << "\"/>\n";
     out << "</Collection>\n</VTKFile>\n";
   };
   write_atomically(collection(), write, state());

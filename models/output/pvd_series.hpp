@@ -1,20 +1,21 @@
-// A time series for ParaView: one .vtu per snapshot and a .pvd that lists the complete ones.
+// A time series for ParaView: one .vtu per snapshot, with shells two .vtp as well, and a .pvd that lists the
+// complete ones.
 #pragma once
 
-#include <glisson/models/output/vtu_writer.hpp>
+#include <glisson/models/output/write_state.hpp>
 #include <string>
 #include <vector>
 
 namespace glisson {
 
-/// Writes DIRECTORY/STEM.pvd and DIRECTORY/STEM_000000.vtu, STEM_000001.vtu, ... as they come. Each file
-/// appears under its name only when it is complete, the .vtu before the .pvd, so a killed process leaves
-/// every earlier snapshot readable.
+/// Writes DIRECTORY/STEM.pvd and the files of write_state() as STEM_000000, STEM_000001, ... as they come.
+/// Each file appears under its name only when it is complete, the .pvd last, so a killed process leaves every
+/// earlier snapshot readable.
 class PvdSeries {
  public:
   struct Entry {
-    double time = 0;   ///< [s]
-    std::string file;  ///< relative to the directory
+    double time = 0;                 ///< [s]
+    std::vector<std::string> files;  ///< relative to the directory, the .vtu first
   };
 
   /// A new series; makes the directory. The first snapshot replaces a series of the same name.
@@ -26,8 +27,7 @@ class PvdSeries {
                           VtuOptions options = {});
 
   /// Times must not go back (Error(usage)); the same time again replaces the last snapshot.
-  void write(double time, const Mesh& mesh, const Fields& fields);
-  void write(const Mesh& mesh, const Snapshot& snapshot) { write(snapshot.time, mesh, snapshot.fields()); }
+  void write(const Mesh& mesh, const Snapshot& snapshot);
 
   const std::vector<Entry>& entries() const { return entries_; }
   std::filesystem::path collection() const { return directory_ / (stem_ + ".pvd"); }

@@ -177,6 +177,16 @@ class Runs(InFolder):
         self.expect(done, 0, "Execution time:", "strain energy", "\n7 ")
         self.assertTrue((self.folder / "case1_U.txt").exists())
 
+    def test_exports_of_niftysim(self):
+        file = EXAMPLES / "inflated.xml"
+        mesh, membrane = self.folder / "end.vtu", self.folder / "end.vtp"
+        self.expect(run("-x", file, "-o", self.folder / "out", "-export-mesh", mesh, "-export-membrane", membrane), 0)
+        self.assertIn("displacement", mesh.read_text())
+        self.assertIn("thickness", membrane.read_text())
+        self.expect(run("run", file, "-o", self.folder / "out", "-export-membrane", "end.vtk"), 2, "end.vtp")
+        box_file = self.write("box.xml", box(1))
+        self.expect(run("run", box_file, "-o", self.folder / "out", "-export-membrane", membrane), 2, "ShellElements")
+
     def test_divergence_is_a_failed_run(self):
         file = self.write("box.xml", box(2, system="<TimeStep> 0.02 </TimeStep>"))
         out = self.folder / "out"
