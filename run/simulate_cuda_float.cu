@@ -1,4 +1,4 @@
-#include <glisson/core/solids/plain_solids.hpp>
+#include <glisson/core/solids/staged_solids.hpp>
 #include <glisson/cuda/solids/dispatch.cuh>
 #include <glisson/run/assemble.hpp>
 #include <glisson/run/simulate.hpp>
@@ -8,7 +8,7 @@ namespace glisson::detail {
 std::unique_ptr<AnySimulation> simulate_cuda_float(const Model& model, int number) {
   auto backend = std::make_unique<Cuda>(number);
   const std::string device = "CUDA float, cuda:" + std::to_string(number) + " " + backend->facts().name;
-  return assemble<Cuda, float>(model, std::move(backend), device, make_plain_solids<Cuda, float>);
+  return assemble<Cuda, float>(model, std::move(backend), device, make_staged_solids<Cuda, float>);
 }
 
 }  // namespace glisson::detail

@@ -1,4 +1,4 @@
-#include <glisson/core/solids/plain_solids.hpp>
+#include <glisson/core/solids/staged_solids.hpp>
 #include <glisson/cpu/emulated_device.hpp>
 #include <glisson/run/assemble.hpp>
 #include <glisson/run/simulate.hpp>
@@ -7,7 +7,7 @@ namespace glisson::detail {
 
 std::unique_ptr<AnySimulation> simulate_emulated_float(const Model& model) {
   return assemble<EmulatedDevice, float>(model, std::make_unique<EmulatedDevice>(), "EmulatedDevice float",
-                                         make_plain_solids<EmulatedDevice, float>);
+                                         make_staged_solids<EmulatedDevice, float>);
 }
 
 }  // namespace glisson::detail

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
+#include <glisson/core/array_sum.hpp>
 #include <glisson/core/backend.hpp>
 #include <glisson/core/loads/upload.hpp>
 #include <glisson/core/numbering.hpp>
-#include <glisson/core/solids/energy_sum.hpp>
 #include <glisson/core/solids/solid_forces.hpp>
 #include <glisson/shells/laws/laws.hpp>
 #include <glisson/shells/shell_fields.hpp>
@@ -130,7 +130,7 @@ class ShellForces final : public SolidForces<R> {
   /// not.
   ShellForces(B& backend, const Model& model, const Numbering& numbering,
               std::unique_ptr<SolidForces<R>> solids)
-      : backend_(backend), solids_(std::move(solids)) {
+      : backend_(backend), solids_(std::move(solids)), sum_(backend) {
     const auto hosts = make_shell_blocks(model);
     const ShellIncidence incidence(hosts, numbering);
     node_count_ = static_cast<int>(incidence.nodes.size());
@@ -159,7 +159,7 @@ class ShellForces final : public SolidForces<R> {
   }
   double strain_energy(const StepView<R>& step) override {
     for (auto& block : blocks_) block->energy(step);
-    shell_energy_ = sum_(backend_, energy_, element_count_);
+    shell_energy_ = sum_(energy_.get(), static_cast<int>(element_count_));
     return (solids_ ? solids_->strain_energy(step) : 0) + shell_energy_;
   }
   double shell_energy() const override { return shell_energy_; }
@@ -215,7 +215,7 @@ class ShellForces final : public SolidForces<R> {
   Buffer<int> incident_nodes_, begin_, slots_;
   Buffer<Vec4<R>> f_element_;
   Buffer<double> energy_;
-  EnergySum<B> sum_;
+  ArraySum<B> sum_;
 };
 
 }  // namespace glisson::shells

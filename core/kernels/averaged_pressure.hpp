@@ -6,7 +6,16 @@
 
 namespace glisson {
 
-/// Sweep 1: p_e = kappa (J - 1).
+/// p_e = kappa (J - 1).
+template <class R, class L>
+GLISSON_HD R element_pressure(const T4::Constants<R>& c, const Vec3<R> (&u_e)[4], const L& law) {
+  Mat3<R> D;
+  R J_minus_1;
+  volume_terms(T4::displacement_gradient(c, u_e), D, J_minus_1);
+  return law.bulk_modulus() * J_minus_1;
+}
+
+/// Sweep 1.
 template <class R, class L>
 struct ElementPressure {
   BlockView<R> block;
@@ -15,10 +24,7 @@ struct ElementPressure {
     Vec3<R> u_e[4];
     gather<R, T4>(block.nodes, e, now.u, u_e);
     const auto& c = static_cast<const T4::Constants<R>*>(block.constants)[e];
-    Mat3<R> D;
-    R J_minus_1;
-    volume_terms(T4::displacement_gradient(c, u_e), D, J_minus_1);
-    block.volume_change[e] = law_of<R, L>(block, e).bulk_modulus() * J_minus_1;
+    block.volume_change[e] = element_pressure(c, u_e, law_of<R, L>(block, e));
   }
 };
 
@@ -79,6 +85,17 @@ struct AveragedForces {
 /// are the derivative up to factors (Jm/J)^(1/3). W(Fm) alone is less, because each element smooths once
 /// more.
 template <class R, class L>
+GLISSON_HD double averaged_energy(const T4::Constants<R>& c, const Vec3<R> (&u_e)[4], const L& law,
+                                  R Jm_minus_1) {
+  const Mat3<R> H = T4::displacement_gradient(c, u_e);
+  Mat3<R> D;
+  R J_minus_1;
+  volume_terms(H, D, J_minus_1);
+  const R volumetric = R(0.5) * law.bulk_modulus() * Jm_minus_1 * (J_minus_1 - Jm_minus_1);
+  return double(c.volume) * (double(law.energy(averaged_gradient(H, Jm_minus_1))) + double(volumetric));
+}
+
+template <class R, class L>
 struct AveragedEnergy {
   BlockView<R> block;
   EvaluationView<R> now;
@@ -87,14 +104,7 @@ struct AveragedEnergy {
     gather<R, T4>(block.nodes, e, now.u, u_e);
     const L law = law_of<R, L>(block, e);
     const auto& c = static_cast<const T4::Constants<R>*>(block.constants)[e];
-    const Mat3<R> H = T4::displacement_gradient(c, u_e);
-    const R Jm_minus_1 = averaged_volume(block, law, e);
-    Mat3<R> D;
-    R J_minus_1;
-    volume_terms(H, D, J_minus_1);
-    const R volumetric = R(0.5) * law.bulk_modulus() * Jm_minus_1 * (J_minus_1 - Jm_minus_1);
-    block.energy[e] =
-        double(c.volume) * (double(law.energy(averaged_gradient(H, Jm_minus_1))) + double(volumetric));
+    block.energy[e] = averaged_energy(c, u_e, law, averaged_volume(block, law, e));
   }
 };
 

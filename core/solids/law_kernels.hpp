@@ -8,7 +8,8 @@
 #include <glisson/core/elements/t4.hpp>
 #include <glisson/core/kernels/averaged_pressure.hpp>
 #include <glisson/core/kernels/element_forces.hpp>
-#include <glisson/core/solids/solid_kernels.hpp>
+#include <glisson/core/kernels/patch_bodies.hpp>
+#include <glisson/core/solids/patch_kernels.hpp>
 
 namespace glisson::detail {
 
@@ -19,8 +20,43 @@ struct LawKernels {
   KernelSet<Function> t4[2], t4anp[2], h8[2], h8_full[2];
 };
 
+/// The loop bodies of the plain form.
+struct PlainBodies {
+  template <class R, class E, class L, bool viscous>
+  using Forces = ElementForces<R, E, L, viscous>;
+  template <class R, class E, class L>
+  using Energy = ElementEnergy<R, E, L>;
+  template <class R, class E>
+  using Hourglass = ElementHourglassEnergy<R, E>;
+  template <class R, class L, bool viscous>
+  using MeanForces = AveragedForces<R, L, viscous>;
+  template <class R, class L>
+  using Pressure = ElementPressure<R, L>;
+  template <class R, class L>
+  using MeanEnergy = AveragedEnergy<R, L>;
+};
+
+// StagedSolids stores constants accordingly.
+static_assert(interleaved_constants<T4> && interleaved_constants<H8> && !interleaved_constants<H8Full>);
+
+/// Those of patches.
+struct PatchBodies {
+  template <class R, class E, class L, bool viscous>
+  using Forces = PatchForces<R, E, L, viscous>;
+  template <class R, class E, class L>
+  using Energy = PatchEnergy<R, E, L>;
+  template <class R, class E>
+  using Hourglass = PatchHourglassEnergy<R, E>;
+  template <class R, class L, bool viscous>
+  using MeanForces = PatchAveragedForces<R, L, viscous>;
+  template <class R, class L>
+  using Pressure = PatchPressure<R, L>;
+  template <class R, class L>
+  using MeanEnergy = PatchAveragedEnergy<R, L>;
+};
+
 /// A loop body as a function to call for each element.
-struct CallBodies {
+struct CallBodies : PlainBodies {
   template <class R>
   using Function = ElementFunction<R>;
   template <class R, class Body>
@@ -29,29 +65,49 @@ struct CallBodies {
   }
 };
 
+/// The phases of a patch as a function to call for each thread.
+struct CallPhases : PatchBodies {
+  template <class R>
+  using Function = PhaseFunction<R>;
+  template <class R, class Body>
+  static void of(const PatchView<R>& patches, const PatchStep<R>& step, PatchPhase phase, int patch,
+                 int thread, R* memory) {
+    const Body body{{patches, step}};
+    if (phase == PatchPhase::load)
+      body.load(patch, thread, memory);
+    else if (phase == PatchPhase::evaluate)
+      body.evaluate(patch, thread, memory);
+    else
+      body.sum(patch, thread, memory);
+  }
+};
+
 template <class How, class R, class E, class L, bool viscous>
-auto plain_kernels() {
+auto element_kernels() {
   return KernelSet<typename How::template Function<R>>{
-      How::template of<R, ElementForces<R, E, L, viscous>>, nullptr,
-      How::template of<R, ElementEnergy<R, E, L>>, How::template of<R, ElementHourglassEnergy<R, E>>};
+      How::template of<R, typename How::template Forces<R, E, L, viscous>>, nullptr,
+      How::template of<R, typename How::template Energy<R, E, L>>,
+      How::template of<R, typename How::template Hourglass<R, E>>};
 }
 
 template <class How, class R, class L, bool viscous>
 auto averaged_kernels() {
   return KernelSet<typename How::template Function<R>>{
-      How::template of<R, AveragedForces<R, L, viscous>>, How::template of<R, ElementPressure<R, L>>,
-      How::template of<R, AveragedEnergy<R, L>>, How::template of<R, ElementHourglassEnergy<R, T4>>};
+      How::template of<R, typename How::template MeanForces<R, L, viscous>>,
+      How::template of<R, typename How::template Pressure<R, L>>,
+      How::template of<R, typename How::template MeanEnergy<R, L>>,
+      How::template of<R, typename How::template Hourglass<R, T4>>};
 }
 
-/// How: what becomes of a loop body, CallBodies or its counterpart of a device.
+/// How: which loop bodies, and what becomes of them: CallBodies, CallPhases or the counterpart of a device.
 template <class How, class R, class L>
 const auto* law_kernels() {
   static const LawKernels<typename How::template Function<R>> kernels{
       L::name,
-      {plain_kernels<How, R, T4, L, false>(), plain_kernels<How, R, T4, L, true>()},
+      {element_kernels<How, R, T4, L, false>(), element_kernels<How, R, T4, L, true>()},
       {averaged_kernels<How, R, L, false>(), averaged_kernels<How, R, L, true>()},
-      {plain_kernels<How, R, H8, L, false>(), plain_kernels<How, R, H8, L, true>()},
-      {plain_kernels<How, R, H8Full, L, false>(), plain_kernels<How, R, H8Full, L, true>()}};
+      {element_kernels<How, R, H8, L, false>(), element_kernels<How, R, H8, L, true>()},
+      {element_kernels<How, R, H8Full, L, false>(), element_kernels<How, R, H8Full, L, true>()}};
   return &kernels;
 }
 

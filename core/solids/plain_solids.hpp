@@ -5,10 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include <glisson/core/backend.hpp>
+#include <glisson/core/array_sum.hpp>
 #include <glisson/core/kernels/averaged_pressure.hpp>
-#include <glisson/core/solids/energy_sum.hpp>
-#include <glisson/core/solids/host_blocks.hpp>
+#include <glisson/core/solids/block_material.hpp>
 #include <glisson/core/solids/solid_forces.hpp>
 #include <glisson/core/solids/solid_kernels.hpp>
 
@@ -23,8 +22,8 @@ class PlainSolids final : public SolidForces<R> {
   void add_forces(const StepView<R>& step) override;
   double strain_energy(const StepView<R>& step) override;
   double hourglass_energy(const StepView<R>& step) override;
-  std::vector<double> history() const override;
-  void set_history(const std::vector<double>& history) override;
+  std::vector<double> history() const override { return history_of<R>(blocks_); }
+  void set_history(const std::vector<double>& history) override { set_history_of<R>(blocks_, history); }
   std::size_t memory_bytes() const override { return bytes_; }
 
  private:
@@ -32,14 +31,11 @@ class PlainSolids final : public SolidForces<R> {
   using Function = typename Dispatch::Function;
   /// One block with its arrays.
   struct Block {
-    HostBlock<R> host;  ///< small parts only; arrays are released after the upload
-    BlockView<R> view;
+    BlockMaterial<B, R> material;
     const KernelSet<Function>* kernels = nullptr;
     Buffer<std::byte> constants;
     Buffer<int> nodes;
-    Buffer<R> parameters, history;
-    Buffer<PronyCoefficients<R>> terms;
-    double dt = -1;  ///< step that the coefficients belong to [s]
+    BlockView<R> view{};
   };
 
   template <class T>
@@ -50,12 +46,11 @@ class PlainSolids final : public SolidForces<R> {
     return buffer;
   }
   void add_block(HostBlock<R> host, int first_slot, int first_element);
-  void set_terms(Block& block, double dt);
   void run(Function function, const Block& block, const EvaluationView<R>& now) {
     Dispatch::run(backend_, function, block.view, now);
   }
   void average_pressure(const EvaluationView<R>& now);
-  double sum_energy();
+  double sum_energy() const { return sum_(energy_.get(), element_count_); }
 
   B& backend_;
   int node_count_ = 0, element_count_ = 0;
@@ -63,8 +58,7 @@ class PlainSolids final : public SolidForces<R> {
   Buffer<Vec4<R>> f_element_;
   Buffer<int> begin_, slot_;
   Buffer<double> energy_;
-  EnergySum<B> sum_;
-  std::vector<double> energy_on_host_;           ///< its copy, once it was asked for; of devices only
+  ArraySum<B> sum_;
   Buffer<int> average_begin_, average_element_;  ///< T4ANP only
   Buffer<R> average_weight_, element_pressure_, nodal_pressure_;
   bool averaged_ = false;
@@ -79,7 +73,7 @@ std::unique_ptr<SolidForces<R>> make_plain_solids(B& backend, const Model& model
 
 template <Backend B, class R>
 PlainSolids<B, R>::PlainSolids(B& backend, const Model& model, const Numbering& numbering)
-    : backend_(backend), node_count_(model.mesh.node_count()) {
+    : backend_(backend), node_count_(model.mesh.node_count()), sum_(backend) {
   auto hosts = make_host_blocks<R>(model, numbering);
   const Incidence incidence = make_incidence(hosts, node_count_);
   begin_ = upload(incidence.begin);
@@ -108,47 +102,20 @@ PlainSolids<B, R>::PlainSolids(B& backend, const Model& model, const Numbering& 
 
 template <Backend B, class R>
 void PlainSolids<B, R>::add_block(HostBlock<R> host, int first_slot, int first_element) {
-  Block block;
-  block.kernels = Dispatch::find(host.law, host.formulation, host.viscous());
-  block.constants = upload(host.constants);
-  block.nodes = upload(host.nodes);
-  block.parameters = upload(host.parameters);
-  block.history = backend_.template allocate<R>(host.history_size());
-  if (host.viscous()) {
-    const std::vector<R> zero(host.history_size(), R(0));
-    backend_.copy_in(zero.data(), block.history.get(), zero.size());
-  }
-  block.terms = backend_.template allocate<PronyCoefficients<R>>(host.prony.size());
-  bytes_ += host.history_size() * sizeof(R);
+  const auto* kernels = Dispatch::find(host.law, host.formulation, host.viscous());
+  auto constants = upload(host.constants);
+  auto nodes = upload(host.nodes);
+  Block block{{backend_, std::move(host)}, kernels, std::move(constants), std::move(nodes)};
+  bytes_ += block.material.memory_bytes();
   BlockView<R>& view = block.view;
+  block.material.connect(view);
   view.constants = block.constants.get();
   view.nodes = block.nodes.get();
-  view.parameters = block.parameters.get();
-  view.terms = block.terms.get();
-  view.history = block.history.get();
   view.f_element = f_element_.get() + first_slot;
   view.volume_change = averaged_ ? element_pressure_.get() + first_element : nullptr;
   view.nodal_pressure = nodal_pressure_.get();
   view.energy = energy_.get() + first_element;
-  view.element_count = host.element_count;
-  view.isochoric_count = host.isochoric_count;
-  view.volumetric_count = static_cast<int>(host.prony.size()) - host.isochoric_count;
-  view.per_element = host.per_element;
-  host.constants = {}, host.nodes = {}, host.parameters = {};
-  block.host = std::move(host);
   blocks_.push_back(std::move(block));
-}
-
-template <Backend B, class R>
-void PlainSolids<B, R>::set_terms(Block& block, double dt) {
-  if (!block.host.viscous() || dt == block.dt) return;
-  std::vector<PronyCoefficients<R>> terms;
-  for (const PronyTerm& term : block.host.prony) {
-    const auto exact = prony_coefficients(term.alpha, term.tau, dt);
-    terms.push_back({R(exact.alpha), R(exact.rate)});
-  }
-  backend_.copy_in(terms.data(), block.terms.get(), terms.size());
-  block.dt = dt;
 }
 
 template <Backend B, class R>
@@ -166,15 +133,10 @@ void PlainSolids<B, R>::add_forces(const StepView<R>& step) {
   const EvaluationView<R> now{step.u, step.advance};
   average_pressure(now);
   for (Block& block : blocks_) {
-    set_terms(block, step.dt);
+    block.material.set_step(step.dt);
     run(block.kernels->forces, block, now);
   }
   backend_.for_each(node_count_, GatherForces<R>{begin_.get(), slot_.get(), f_element_.get(), step.f});
-}
-
-template <Backend B, class R>
-double PlainSolids<B, R>::sum_energy() {
-  return sum_(backend_, energy_, static_cast<std::size_t>(element_count_));
 }
 
 template <Backend B, class R>
@@ -187,33 +149,9 @@ double PlainSolids<B, R>::strain_energy(const StepView<R>& step) {
 
 template <Backend B, class R>
 double PlainSolids<B, R>::hourglass_energy(const StepView<R>& step) {
-  bool any = false;
-  for (const Block& block : blocks_)
-    any = any || block.host.formulation == Formulation::h8 || block.host.formulation == Formulation::h8_fixed;
-  if (!any) return 0;
+  if (!any_hourglass(blocks_)) return 0;
   for (const Block& block : blocks_) run(block.kernels->hourglass, block, {step.u, false});
   return sum_energy();
-}
-
-template <Backend B, class R>
-std::vector<double> PlainSolids<B, R>::history() const {
-  std::vector<std::vector<R>> arrays;
-  for (const Block& block : blocks_) {
-    arrays.emplace_back(block.host.history_size());
-    backend_.copy_out(block.history.get(), arrays.back().data(), arrays.back().size());
-  }
-  std::vector<const HostBlock<R>*> hosts;
-  for (const Block& block : blocks_) hosts.push_back(&block.host);
-  return canonical_history(hosts, arrays);
-}
-
-template <Backend B, class R>
-void PlainSolids<B, R>::set_history(const std::vector<double>& history) {
-  std::vector<const HostBlock<R>*> hosts;
-  for (const Block& block : blocks_) hosts.push_back(&block.host);
-  const auto arrays = block_history<R>(hosts, history);
-  for (std::size_t k = 0; k < blocks_.size(); ++k)
-    backend_.copy_in(arrays[k].data(), blocks_[k].history.get(), arrays[k].size());
 }
 
 }  // namespace glisson

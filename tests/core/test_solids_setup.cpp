@@ -151,7 +151,8 @@ TEST(Blocks, HaveTheSameForcesInGuardedMemoryAndRandomOrder) {
     SolidBench<float> plain(model);
     SolidBench<float, EmulatedDevice> guarded(model);
     EXPECT_EQ(largest_difference(plain.forces(u), guarded.forces(u)), 0) << name_of(formulation);
-    EXPECT_EQ(plain.energy(u), guarded.energy(u)) << name_of(formulation);
+    const double energy = plain.energy(u);  // of a device the sum has another order
+    EXPECT_NEAR(guarded.energy(u), energy, 1e-14 * energy) << name_of(formulation);
   }
 }
 

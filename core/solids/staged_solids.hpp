@@ -1,0 +1,172 @@
+// The solids of a model in patches, for backends with on-chip memory that a group of threads shares: nodes
+// are read once per patch, forces summed there in a fixed order, and only nodes that several patches have go
+// through memory. Include it only where a backend is instantiated.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <glisson/core/array_sum.hpp>
+#include <glisson/core/solids/block_material.hpp>
+#include <glisson/core/solids/host_patches.hpp>
+#include <glisson/core/solids/patch_kernels.hpp>
+#include <glisson/core/solids/solid_forces.hpp>
+
+namespace glisson {
+
+template <Backend B, class R>
+class StagedSolids final : public SolidForces<R> {
+ public:
+  StagedSolids(B& backend, const Model& model, const Numbering& numbering);
+
+  Space space() const override { return B::space; }
+  void add_forces(const StepView<R>& step) override;
+  double strain_energy(const StepView<R>& step) override {
+    average_pressure(step);
+    for (const Block& block : blocks_) run(block, block.kernels->energy, step, false);
+    return sum_(energy_.get(), element_count_);
+  }
+  double hourglass_energy(const StepView<R>& step) override {
+    if (!any_hourglass(blocks_)) return 0;
+    for (const Block& block : blocks_) run(block, block.kernels->hourglass, step, false);
+    return sum_(energy_.get(), element_count_);
+  }
+  std::vector<double> history() const override { return history_of<R>(blocks_); }
+  void set_history(const std::vector<double>& history) override { set_history_of<R>(blocks_, history); }
+  std::size_t memory_bytes() const override { return bytes_; }
+
+ private:
+  using Dispatch = PatchDispatch<B, R>;
+  using Function = typename Dispatch::Function;
+  /// One block with its arrays.
+  struct Block {
+    BlockMaterial<B, R> material;
+    const KernelSet<Function>* kernels = nullptr;
+    int threads = 0;  ///< per patch
+    PatchView<R> view{};
+    Buffer<std::byte> constants{};
+    Buffer<int> element_begin{}, node_begin{}, interior_count{}, node{}, slot{}, shared{}, row_begin{};
+    Buffer<std::uint16_t> row{}, corner{};
+  };
+
+  template <class T>
+  Buffer<T> upload(const std::vector<T>& from) {
+    auto buffer = backend_.template allocate<T>(from.size());
+    backend_.copy_in(from.data(), buffer.get(), from.size());
+    bytes_ += from.size() * sizeof(T);
+    return buffer;
+  }
+  void add_block(HostBlock<R> host, const HostPatches& patches, int first_element);
+  void upload_patches(Block& block, const HostPatches& patches);
+  void run(const Block& block, Function function, const StepView<R>& step, bool store) {
+    Dispatch::run(backend_, function, block.view, PatchStep<R>{step.u, step.f, store}, block.threads,
+                  memory_.get());
+  }
+  void average_pressure(const StepView<R>& step) {
+    for (const Block& block : blocks_)
+      if (block.kernels->pressure) run(block, block.kernels->pressure, step, false);
+  }
+
+  B& backend_;
+  int element_count_ = 0, shared_count_ = 0;
+  std::vector<Block> blocks_;
+  Buffer<int> shared_nodes_, shared_begin_;
+  Buffer<Vec4<R>> slot_force_;
+  Buffer<R> slot_pressure_, nodal_pressure_, inverse_volume_;  ///< T4ANP only
+  Buffer<double> energy_;
+  Buffer<R> memory_;  ///< of all patches of a block, where the backend has none on chip
+  ArraySum<B> sum_;
+  std::size_t bytes_ = 0;
+};
+
+template <Backend B, class R>
+std::unique_ptr<SolidForces<R>> make_staged_solids(B& backend, const Model& model,
+                                                   const Numbering& numbering) {
+  return std::make_unique<StagedSolids<B, R>>(backend, model, numbering);
+}
+
+template <Backend B, class R>
+StagedSolids<B, R>::StagedSolids(B& backend, const Model& model, const Numbering& numbering)
+    : backend_(backend), sum_(backend) {
+  const int node_count = model.mesh.node_count();
+  auto hosts = make_host_blocks<R>(model, numbering);
+  const PatchCut cut = cut_into_patches(hosts, node_count);
+  shared_count_ = cut.shared.count();
+  shared_nodes_ = upload(cut.shared.nodes);
+  shared_begin_ = upload(cut.shared.begin);
+  const auto slots = static_cast<std::size_t>(cut.shared.slot_count());
+  slot_force_ = upload(std::vector<Vec4<R>>(slots));
+  const auto inverse_volume = inverse_volumes(hosts, node_count);
+  if (!inverse_volume.empty()) {
+    inverse_volume_ = upload(inverse_volume);
+    // patches of other formulations leave their slots at zero
+    slot_pressure_ = upload(std::vector<R>(slots));
+    nodal_pressure_ = upload(std::vector<R>(inverse_volume.size()));
+  }
+  for (const auto& host : hosts) element_count_ += host.element_count;
+  energy_ = backend_.template allocate<double>(static_cast<std::size_t>(element_count_));
+  blocks_.reserve(hosts.size());
+  int element = 0;
+  for (std::size_t b = 0; b < hosts.size(); ++b) {
+    const int elements = hosts[b].element_count;
+    add_block(std::move(hosts[b]), cut.blocks[b], element);
+    element += elements;
+  }
+  std::size_t memory = 0;
+  for (const Block& block : blocks_) memory = std::max(memory, Dispatch::memory_size(block.view));
+  memory_ = backend_.template allocate<R>(memory);
+}
+
+template <Backend B, class R>
+void StagedSolids<B, R>::add_block(HostBlock<R> host, const HostPatches& patches, int first_element) {
+  const auto* kernels = Dispatch::find(host.law, host.formulation, host.viscous());
+  const int threads = patch_threads(host.nodes_per_element);
+  // more constants than this stay one after the other, see patch_constants()
+  auto constants = upload(host.formulation == Formulation::h8_full ? host.constants : interleaved(host));
+  Block block{{backend_, std::move(host)}, kernels, threads};
+  block.constants = std::move(constants);
+  upload_patches(block, patches);
+  block.material.connect(block.view.block);
+  bytes_ += block.material.memory_bytes();
+  block.view.block.constants = block.constants.get();
+  block.view.block.energy = energy_.get() + first_element;
+  blocks_.push_back(std::move(block));
+}
+
+template <Backend B, class R>
+void StagedSolids<B, R>::add_forces(const StepView<R>& step) {
+  average_pressure(step);
+  for (Block& block : blocks_) {
+    block.material.set_step(step.dt);
+    run(block, block.kernels->forces, step, step.advance);
+  }
+  backend_.for_each(shared_count_,
+                    AddSharedForces<R>{shared_nodes_.get(), shared_begin_.get(), slot_force_.get(), step.f});
+}
+
+template <Backend B, class R>
+void StagedSolids<B, R>::upload_patches(Block& block, const HostPatches& patches) {
+  PatchView<R>& view = block.view;
+  const auto put = [&](auto& buffer, const auto& from, auto& pointer) {
+    buffer = upload(from);
+    pointer = buffer.get();
+  };
+  put(block.element_begin, patches.element_begin, view.element_begin);
+  put(block.node_begin, patches.node_begin, view.node_begin);
+  put(block.interior_count, patches.interior_count, view.interior_count);
+  put(block.node, patches.node, view.node);
+  put(block.slot, patches.slot, view.slot);
+  put(block.shared, patches.shared, view.shared);
+  put(block.row_begin, patches.row_begin, view.row_begin);
+  put(block.row, patches.row, view.row);
+  put(block.corner, patches.corner, view.corner);
+  view.slot_force = slot_force_.get();
+  view.slot_pressure = slot_pressure_.get();
+  view.nodal_pressure = nodal_pressure_.get();
+  view.inverse_volume = inverse_volume_.get();
+  view.shared_begin = shared_begin_.get();
+  view.patch_count = patches.patch_count();
+  view.stride = (patches.largest_node_count + 31) / 32 * 32;
+}
+
+}  // namespace glisson

@@ -1,0 +1,218 @@
+// Patches in shared memory, run phase by phase on the emulated device, against the plain double reference.
+#include <algorithm>
+#include <random>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include <glisson/core/base/error.hpp>
+#include <glisson/core/solids/plain_solids.hpp>
+#include <glisson/core/solids/staged_solids.hpp>
+#include <glisson/cpu/emulated_device.hpp>
+#include <glisson/cpu/serial.hpp>
+#include <tests/cpu/mixed_models.hpp>
+
+namespace glisson {
+namespace {
+
+/// Solids of a model on a backend and what they give for a displacement. The displacement is that of float in
+/// every precision; f starts at 1, 2, 3, because providers add.
+template <class B, class R>
+class Solids {
+ public:
+  Solids(B backend, const Model& model, bool staged)
+      : backend_(std::move(backend)),
+        model_(model),
+        numbering_(make_numbering(model.mesh)),
+        solids_(staged ? make_staged_solids<B, R>(backend_, model, numbering_)
+                       : make_plain_solids<B, R>(backend_, model, numbering_)),
+        u_(backend_.template allocate<Vec4<R>>(count())),
+        f_(backend_.template allocate<Vec4<R>>(count())) {}
+
+  std::vector<Vec4<R>> forces(double scale, bool advance = true) {
+    StepView<R> step = view(scale);
+    step.advance = advance;
+    solids_->add_forces(step);
+    std::vector<Vec4<R>> f(count());
+    backend_.copy_out(f_.get(), f.data(), f.size());
+    return f;
+  }
+  double strain_energy(double scale) { return solids_->strain_energy(view(scale)); }
+  double hourglass_energy(double scale) { return solids_->hourglass_energy(view(scale)); }
+  SolidForces<R>& get() { return *solids_; }
+
+ private:
+  std::size_t count() const { return model_.mesh.X.size(); }
+  StepView<R> view(double scale) {
+    std::vector<Vec4<R>> u(count()), f(count(), Vec4<R>{R(1), R(2), R(3), R(0)});
+    for (std::size_t n = 0; n < u.size(); ++n) {
+      const Vec3<double> a = displacement(model_.mesh.X[at(numbering_.user_of_internal[n])], scale);
+      u[n] = {R(float(a.x)), R(float(a.y)), R(float(a.z)), R(0)};
+    }
+    backend_.copy_in(u.data(), u_.get(), u.size());
+    backend_.copy_in(f.data(), f_.get(), f.size());
+    StepView<R> step;
+    step.u = u_.get();
+    step.f = f_.get();
+    step.node_count = static_cast<int>(count());
+    step.dt = 1e-3;
+    return step;
+  }
+
+  B backend_;
+  const Model& model_;
+  Numbering numbering_;
+  std::unique_ptr<SolidForces<R>> solids_;
+  Buffer<Vec4<R>> u_, f_;
+};
+
+template <class R>
+double difference(const std::vector<Vec4<R>>& a, const std::vector<Vec4<double>>& b) {
+  double squares = 0, norm = 0;
+  auto add = [&](R x, double y, double start) {
+    squares += (double(x) - y) * (double(x) - y), norm += (y - start) * (y - start);
+  };
+  for (std::size_t n = 0; n < a.size(); ++n)
+    add(a[n].x, b[n].x, 1), add(a[n].y, b[n].y, 2), add(a[n].z, b[n].z, 3);
+  return std::sqrt(squares / norm);
+}
+
+/// Over which the forces of a test are compared: rounding of R, amplified by kappa / mu = 10 and by sums of
+/// opposing element forces on top of the 1, 2, 3 that were there.
+template <class R>
+constexpr double rounding() {
+  return sizeof(R) == 4 ? 2e-5 : 1e-13;
+}
+
+using Case = std::tuple<Formulation, const char*, bool>;
+class StagedForms : public testing::TestWithParam<Case> {
+ protected:
+  template <class R>
+  void compare(const Model& model) {
+    Solids<EmulatedDevice, R> staged(EmulatedDevice(), model, true);
+    Solids<Serial, double> plain({}, model, false);
+    for (const double scale : {1.0, 0.7}) {
+      EXPECT_LT(difference(staged.forces(scale), plain.forces(scale)), rounding<R>());
+      const double strain = plain.strain_energy(scale), hourglass = plain.hourglass_energy(scale);
+      EXPECT_NEAR(staged.strain_energy(scale), strain, 0.1 * rounding<R>() * strain);
+      EXPECT_NEAR(staged.hourglass_energy(scale), hourglass, rounding<R>() * hourglass);
+    }
+    const auto history = staged.get().history(), expected = plain.get().history();
+    ASSERT_EQ(history.size(), expected.size());
+    const double largest = expected.empty() ? 0 : *std::max_element(expected.begin(), expected.end());
+    for (std::size_t i = 0; i < history.size(); ++i)
+      ASSERT_NEAR(history[i], expected[i], rounding<R>() * largest);
+  }
+};
+
+TEST_P(StagedForms, AgreeWithTheReference) {
+  const auto [formulation, law, viscous] = GetParam();
+  const Model model = mixed_model(formulation, law, viscous);
+  compare<float>(model);
+  compare<double>(model);
+}
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  for (const Formulation f :
+       {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_fixed, Formulation::h8_full})
+    for (const char* law : {"LE", "NH", "AB", "PY", "TI", "OG"})
+      for (const bool viscous : {false, true}) cases.emplace_back(f, law, viscous);
+  return cases;
+}
+INSTANTIATE_TEST_SUITE_P(All, StagedForms, testing::ValuesIn(all_cases()), [](const auto& its) {
+  return std::string(name_of(std::get<0>(its.param))) + "_" + std::get<1>(its.param) +
+         (std::get<2>(its.param) ? "_viscous" : "");
+});
+
+/// Tetrahedra of both formulations share nodes, so that slots of pressure stay empty in some patches.
+Model both_tetrahedra() {
+  Model model = mixed_model(Formulation::t4, "NH", false, {9, 8, 7});
+  model.sections[1].formulation = Formulation::t4anp;
+  return model;
+}
+
+TEST(StagedSolidsBlocks, OfBothTetrahedraShareNodes) {
+  const Model model = both_tetrahedra();
+  Solids<EmulatedDevice, double> staged(EmulatedDevice(), model, true);
+  Solids<Serial, double> plain({}, model, false);
+  EXPECT_LT(difference(staged.forces(1), plain.forces(1)), rounding<double>());
+}
+
+TEST(StagedSolidsBits, DoNotDependOnTheOrderOfThreads) {
+  const Model model = both_tetrahedra();
+  Solids<EmulatedDevice, float> first(EmulatedDevice(1), model, true);
+  const auto expected = first.forces(1);
+  const double energy = first.strain_energy(1);
+  for (const std::uint64_t seed : {2, 3, 4}) {
+    Solids<EmulatedDevice, float> other(EmulatedDevice(seed), model, true);
+    const auto f = other.forces(1);
+    EXPECT_EQ(std::memcmp(f.data(), expected.data(), f.size() * sizeof f[0]), 0);
+    EXPECT_EQ(other.strain_energy(1), energy);
+  }
+}
+
+TEST(StagedSolidsState, EvaluationAloneLeavesTheHistory) {
+  const Model model = mixed_model(Formulation::h8, "NH", true);
+  Solids<EmulatedDevice, float> staged(EmulatedDevice(), model, true);
+  staged.forces(1);
+  const auto history = staged.get().history();
+  staged.forces(1, false);
+  EXPECT_EQ(staged.get().history(), history);
+  Solids<EmulatedDevice, float> other(EmulatedDevice(), model, true);
+  other.get().set_history(history);
+  EXPECT_EQ(other.get().history(), history);
+  EXPECT_THROW(other.get().set_history({1, 2, 3}), Error);
+}
+
+/// Elements in random order: their nodes are all over the mesh, and the limit on nodes cuts the patches.
+std::vector<HostBlock<float>> scattered_blocks(const Model& model) {
+  Numbering numbering = make_numbering(model.mesh);
+  std::shuffle(numbering.element_order.begin(), numbering.element_order.end(), std::mt19937(3));
+  return make_host_blocks<float>(model, numbering);
+}
+
+TEST(HostPatches, HoldEveryElementAndNodeOnce) {
+  const Model model = mixed_model(Formulation::t4, "NH", false, {14, 13, 12});
+  const auto blocks = scattered_blocks(model);
+  const PatchCut cut = cut_into_patches(blocks, model.mesh.node_count());
+  ASSERT_EQ(cut.blocks.size(), 1u);
+  const HostPatches& patches = cut.blocks[0];
+  EXPECT_EQ(patches.element_begin.back(), blocks[0].element_count);
+  EXPECT_EQ(patches.row.size(), blocks[0].nodes.size());
+  EXPECT_LE(patches.largest_node_count, patch_node_limit);
+  EXPECT_GT(patches.largest_node_count, patch_node_limit - 4);
+  std::vector<int> slots(at(cut.shared.slot_count()), 0);
+  for (int p = 0; p < patches.patch_count(); ++p) {
+    const int first = patches.node_begin[at(p)];
+    ASSERT_LE(patches.element_begin[at(p) + 1] - patches.element_begin[at(p)], 256);
+    for (int e = patches.element_begin[at(p)]; e < patches.element_begin[at(p) + 1]; ++e)
+      for (int a = 0; a < 4; ++a) {
+        const int place = first + patches.corner[at(a * blocks[0].element_count + e)];
+        ASSERT_EQ(patches.node[at(place)], blocks[0].nodes[at(4 * e + a)]);
+      }
+    for (int i = first; i < patches.node_begin[at(p) + 1]; ++i) {
+      const int s = patches.shared[at(i)], slot = patches.slot[at(i)];
+      ASSERT_EQ(s >= 0, i - first >= patches.interior_count[at(p)]);
+      ASSERT_EQ(s, cut.shared.shared_of_node[at(patches.node[at(i)])]);
+      if (s < 0) continue;
+      ASSERT_GE(slot, cut.shared.begin[at(s)]);
+      ASSERT_LT(slot, cut.shared.begin[at(s) + 1]);
+      ++slots[at(slot)];
+    }
+  }
+  for (const int uses : slots) ASSERT_EQ(uses, 1);
+}
+
+TEST(HostPatches, FitTheMemoryThatEveryDeviceGivesABlock) {
+  EXPECT_EQ(PatchMemory<double>::size(patch_node_limit) * sizeof(double), 48u << 10);
+}
+
+TEST(HostPatches, OfNothing) {
+  const PatchCut cut = cut_into_patches(std::vector<HostBlock<float>>(1), 0);
+  EXPECT_EQ(cut.blocks[0].patch_count(), 0);
+  EXPECT_EQ(cut.shared.count(), 0);
+}
+
+}  // namespace
+}  // namespace glisson
