@@ -5,6 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/install_packages.sh
+source tools/fetch_liver.sh
 
 voxel=6mm
 while [ $# -gt 0 ]; do
@@ -16,35 +17,6 @@ while [ $# -gt 0 ]; do
 done
 results=results/liver
 image=$results/liver.inr.gz
-
-# Debian's libcgal-demo carries the image. Only its archive is taken, nothing is installed: no root, no dependencies.
-fetch_image() {
-  if [ -s "$image" ]; then
-    echo "The image is there: $image"
-    return
-  fi
-  echo "Taking the labelled CT from Debian's package libcgal-demo (24 MB)"
-  local scratch
-  scratch=$(mktemp -d)
-  # shellcheck disable=SC2064  # the value of now is meant
-  trap "rm -rf '$scratch'" EXIT
-  local package=${GLISSON_LIVER_PACKAGE:-}
-  if [ -z "$package" ]; then
-    chmod 755 "$scratch"
-    if ! (cd "$scratch" && apt-get download -qq libcgal-demo 2>"$scratch/log"); then
-      echo "apt-get download libcgal-demo failed:" >&2
-      cat "$scratch/log" >&2
-      echo "Fetch the package by hand and run: GLISSON_LIVER_PACKAGE=path/to/libcgal-demo.deb tools/demo.sh" >&2
-      exit 1
-    fi
-    package=$(echo "$scratch"/libcgal-demo_*.deb)
-  fi
-  dpkg -x "$package" "$scratch/unpacked"
-  tar -xzf "$scratch/unpacked/usr/share/doc/libcgal-dev/data.tar.gz" -C "$scratch" data/images/liver.inr.gz
-  mkdir -p "$results"
-  cp "$scratch/data/images/liver.inr.gz" "$image.part"
-  mv "$image.part" "$image"
-}
 
 echo "== 1/4 packages"
 install_packages "105 MB" "${core_packages[@]}"
@@ -59,7 +31,7 @@ cmake --build --preset app
 glisson=$PWD/build-app/app/glisson
 
 echo "== 3/4 image to mesh"
-fetch_image
+fetch_liver "$image"
 "$glisson" mesh "$image" -o examples/liver/liver.vtu --labels 255 --voxel "$voxel" --element T4 --scale 0.001
 
 echo "== 4/4 simulation"

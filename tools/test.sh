@@ -5,6 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/install_packages.sh
+source tools/fetch_liver.sh
 
 only=() fuzz_seconds=10 install=yes
 while [ $# -gt 0 ]; do
@@ -116,6 +117,11 @@ stage_install() {
 stage_pictures() {
   [ "$install" = no ] || install_packages "410 MB" libvtk9-dev xvfb xauth
   build release || return 0
+  if (fetch_liver results/liver/liver.inr.gz) >/dev/null; then
+    export GLISSON_LIVER_PICTURES=1
+  else
+    echo "   no CT to be had: the liver is not drawn"
+  fi
   run_ctest "pictures" build-release --tests-regex '^viz\.'
 }
 

@@ -4,6 +4,7 @@
 usage: test_pictures.py GLISSON [--store]    (--store renews the stored picture; look at it)
 Without VTK only what works without it is tested; without a display and Xvfb, nothing is drawn: exit code 77.
 """
+import json
 import os
 import pathlib
 import shutil
@@ -87,6 +88,24 @@ class Pictures(unittest.TestCase):
         self.assertGreater(overlap, 0.93)
         # The measure tells other pictures apart.
         self.assertLess(min(png.similarity(self.draw("--view", "left"), png.luminance(stored))), 0.93)
+
+    @unittest.skipUnless(CAN_DRAW and os.environ.get("GLISSON_LIVER_PICTURES"), "no VTK, no display, or no CT asked for")
+    def test_liver_with_and_without_capsule(self):
+        script = HERE.parents[1] / "tools" / "liver_pictures.sh"
+        done = subprocess.run(["bash", script, GLISSON, self.folder / "liver", "12mm", "400x300"], capture_output=True, text=True,
+                              timeout=250)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        largest = {}
+        for name in ("liver", "liver-capsule"):
+            drawn, stored = self.folder / "liver" / f"{name}.png", HERE / f"{name}.png"
+            if STORE:
+                shutil.copy(drawn, stored)
+            correlation, overlap = png.similarity(png.luminance(drawn), png.luminance(stored))
+            self.assertGreater(correlation, 0.97, name)
+            self.assertGreater(overlap, 0.93, name)
+            summary = json.loads((self.folder / "liver" / name / "summary.json").read_text())
+            largest[name] = summary["largest_displacement"]["value"]
+        self.assertLess(largest["liver-capsule"], 0.75 * largest["liver"])
 
     @unittest.skipUnless(CAN_DRAW, "no VTK, or neither a display nor Xvfb")
     def test_fields_steps_and_cuts(self):
