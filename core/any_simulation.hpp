@@ -63,7 +63,11 @@ class AnySimulation {
   virtual std::vector<Vec3<double>> velocity() const = 0;      ///< [m/s]  [node_count]
   virtual std::vector<Vec3<double>> internal_force()
       const = 0;  ///< of the elements on the nodes, F = -f_int [N]
-  virtual ElementFields element_fields() const = 0;
+  virtual ElementFieldSource element_field_source() const = 0;
+  ElementFields element_fields() const {
+    const ElementFieldSource source = element_field_source();
+    return source.range(0, source.element_count);
+  }
   virtual ShellFields shell_fields() const = 0;
 
   /// Adds a user's provider; before the first step.

@@ -1,6 +1,7 @@
 // What outputs show of the elements and of the shells, in double on the host.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <glisson/core/tensor/tensor.hpp>
@@ -12,6 +13,13 @@ struct ElementFields {
   std::vector<Sym3<double>> stress;  ///< second Piola-Kirchhoff [Pa]
   std::vector<Sym3<double>> strain;  ///< Green-Lagrange [-]
   std::vector<double> J;             ///< det F [-]
+};
+
+/// The fields of any range of elements, evaluated when asked: those of all elements at once take more memory
+/// than the simulation itself. Belongs to the state that it was asked of; the model must outlive it.
+struct ElementFieldSource {
+  int element_count = 0;
+  std::function<ElementFields(int first, int count)> range;
 };
 
 /// One value per triangle of Mesh::triangles; all empty without shells. Tensors have the axes of space and

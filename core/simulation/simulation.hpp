@@ -40,7 +40,7 @@ class Simulation final : public AnySimulation {
   std::vector<Vec3<double>> displacement() const override;
   std::vector<Vec3<double>> velocity() const override;
   std::vector<Vec3<double>> internal_force() const override;
-  ElementFields element_fields() const override;
+  ElementFieldSource element_field_source() const override;
   ShellFields shell_fields() const override;
   void add(std::unique_ptr<ForceProvider<double>> provider) override;
   void save(std::ostream& out) const override;

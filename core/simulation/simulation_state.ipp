@@ -133,9 +133,8 @@ std::vector<Vec3<double>> Simulation<B, R>::velocity() const {
 }
 
 template <Backend B, class R>
-ElementFields Simulation<B, R>::element_fields() const {
-  const auto u = displacement();
-  return glisson::element_fields(model_, u, parts_.solids->history(), make_view().dt);
+ElementFieldSource Simulation<B, R>::element_field_source() const {
+  return glisson::element_field_source(model_, displacement(), parts_.solids->history(), make_view().dt);
 }
 
 template <Backend B, class R>

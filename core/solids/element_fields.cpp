@@ -1,6 +1,8 @@
 #include <glisson/core/solids/element_fields.hpp>
 
-#include <string>
+#include <algorithm>
+#include <memory>
+#include <span>
 
 #include <glisson/core/elements/h8.hpp>
 #include <glisson/core/elements/h8_full.hpp>
@@ -23,6 +25,8 @@ void corners(const Mesh& mesh, Positions of, int e, Vec3<double> (&out)[N]) {
 
 /// Mean of kappa (J - 1) around each node, for T4ANP.
 std::vector<double> nodal_pressure(const Model& model, Positions u) {
+  const auto averages = [](const Section& s) { return s.formulation == Formulation::t4anp; };
+  if (std::none_of(model.sections.begin(), model.sections.end(), averages)) return {};
   std::vector<double> sum(model.mesh.X.size(), 0.0), volume(model.mesh.X.size(), 0.0);
   std::vector<double> parameters;
   for (const Section& section : model.sections) {
@@ -70,101 +74,103 @@ Sym3<double> scaled(double s, const Sym3<double>& a) {
   return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.yz, s * a.xz};
 }
 
-/// One section with law L: everything about the element but the law is decided by its formulation.
+/// The state that fields are asked of.
+struct State {
+  const Model& model;
+  std::vector<Vec3<double>> u;
+  std::vector<double> history;
+  double dt;
+  std::vector<double> pressure;     ///< of the nodes, for T4ANP [Pa]
+  std::vector<std::size_t> places;  ///< where the history of each section begins
+  std::vector<bool> sorted;         ///< sections whose elements come in increasing order
+};
+
+/// A part of a section with law L: everything about the element but the law is decided by its formulation.
 template <class L>
 class SectionFields {
  public:
-  SectionFields(const Model& model, const Section& section, Positions u, const std::vector<double>& history,
-                std::size_t first, double dt, const std::vector<double>& pressure, ElementFields& out)
-      : model_(model),
-        section_(section),
-        u_(u),
-        history_(history),
-        place_(first),
-        pressure_(pressure),
+  /// `out` begins with element `first`.
+  SectionFields(const State& state, std::size_t section, int first, ElementFields& out)
+      : state_(state),
+        model_(state.model),
+        section_(state.model.sections[section]),
+        place_(state.places[section]),
+        first_(first),
         out_(out) {
-    for (const auto* terms : {&section.material.isochoric, &section.material.volumetric})
-      for (const PronyTerm& t : *terms) terms_.push_back(prony_coefficients(t.alpha, t.tau, dt));
+    for (const auto* terms : {&section_.material.isochoric, &section_.material.volumetric})
+      for (const PronyTerm& t : *terms) terms_.push_back(prony_coefficients(t.alpha, t.tau, state.dt));
   }
 
-  void run() {
-    std::vector<double> parameters;
-    for (std::size_t k = 0; k < section_.elements.size(); ++k) {
-      element_parameters(section_, k, parameters);
-      const L law = L::load(parameters.data());
-      const int e = section_.elements[k];
-      switch (section_.formulation) {
-        case Formulation::t4:
-          element<T4>(e, law, T4::make);
-          break;
-        case Formulation::t4anp:
-          averaged(e, law);
-          break;
-        case Formulation::h8:
-          element<H8>(e, law, H8::make);
-          break;
-        case Formulation::h8_fixed:
-          element<H8>(e, law, H8::make_fixed);
-          break;
-        case Formulation::h8_full:
-          element<H8Full>(e, law, H8Full::make);
-          break;
-      }
+  /// The element at place k of the section.
+  void run(std::size_t k) {
+    element_parameters(section_, k, parameters_);
+    const L law = L::load(parameters_.data());
+    const int e = section_.elements[k];
+    switch (section_.formulation) {
+      case Formulation::t4:
+        return element<T4>(e, k, law, T4::make);
+      case Formulation::t4anp:
+        return averaged(e, k, law);
+      case Formulation::h8:
+        return element<H8>(e, k, law, H8::make);
+      case Formulation::h8_fixed:
+        return element<H8>(e, k, law, H8::make_fixed);
+      case Formulation::h8_full:
+        return element<H8Full>(e, k, law, H8Full::make);
     }
   }
 
  private:
-  Sym3<double> stress(const L& law, const Mat3<double>& H, int p) const {
+  Sym3<double> stress(const L& law, const Mat3<double>& H, std::size_t point) const {
     if (terms_.empty()) {
       const SplitStress<double> S = law.second_pk(H);
       return S.isochoric + S.volumetric;
     }
     const int isochoric = static_cast<int>(section_.material.isochoric.size());
     const PronyTerms<double> prony{terms_.data(), isochoric, static_cast<int>(terms_.size()) - isochoric};
-    auto* values =
-        const_cast<double*>(history_.data()) + place_ + static_cast<std::size_t>(p) * 6 * terms_.size();
+    auto* values = const_cast<double*>(state_.history.data()) + place_ + point * 6 * terms_.size();
     return second_pk_relaxed(law, H, prony, StridedHistory<double>{values, 1},
                              false);  // only read: store is false
   }
   void finish(int e, const PointValues& sum) {
-    const auto i = static_cast<std::size_t>(e);
+    const auto i = static_cast<std::size_t>(e - first_);
     out_.stress[i] = scaled(1 / sum.weight, sum.stress);
     out_.strain[i] = scaled(1 / sum.weight, sum.strain);
     out_.J[i] = sum.J / sum.weight;
   }
   template <class E, class Make>
-  void element(int e, const L& law, const Make& make) {
+  void element(int e, std::size_t k, const L& law, const Make& make) {
     Vec3<double> X[E::node_count], ue[E::node_count];
     corners(model_.mesh, model_.mesh.X, e, X);
-    corners(model_.mesh, u_, e, ue);
+    corners(model_.mesh, state_.u, e, ue);
     PointValues sum;
-    E::points(make(X, 0), ue,
-              [&](const Mat3<double>& H, double w, int p) { accumulate(sum, H, stress(law, H, p), w); });
-    place_ += static_cast<std::size_t>(E::point_count) * 6 * terms_.size();
+    const std::size_t first = k * static_cast<std::size_t>(E::point_count);
+    E::points(make(X, 0), ue, [&](const Mat3<double>& H, double w, int p) {
+      accumulate(sum, H, stress(law, H, first + static_cast<std::size_t>(p)), w);
+    });
     finish(e, sum);
   }
-  void averaged(int e, const L& law) {
+  void averaged(int e, std::size_t k, const L& law) {
     Vec3<double> X[4], ue[4];
     corners(model_.mesh, model_.mesh.X, e, X);
-    corners(model_.mesh, u_, e, ue);
+    corners(model_.mesh, state_.u, e, ue);
     double p = 0;
-    for (const int n : model_.mesh.element(e)) p += pressure_[static_cast<std::size_t>(n)] / 4;
+    for (const int n : model_.mesh.element(e)) p += state_.pressure[static_cast<std::size_t>(n)] / 4;
     const Mat3<double> H =
         averaged_gradient(T4::displacement_gradient(T4::make(X), ue), p / law.bulk_modulus());
     PointValues sum;
-    accumulate(sum, H, stress(law, H, 0), 1);
-    place_ += 6 * terms_.size();
+    accumulate(sum, H, stress(law, H, k), 1);
     finish(e, sum);
   }
 
+  const State& state_;
   const Model& model_;
   const Section& section_;
-  Positions u_;
-  const std::vector<double>& history_;
   std::size_t place_;
-  const std::vector<double>& pressure_;
+  int first_;
   ElementFields& out_;
   std::vector<PronyCoefficients<double>> terms_;
+  std::vector<double> parameters_;
 };
 
 std::size_t history_size(const Section& section) {
@@ -173,22 +179,46 @@ std::size_t history_size(const Section& section) {
   return section.elements.size() * terms * 6 * points;
 }
 
-}  // namespace
+/// Calls use(k) for the places k of a section whose elements are first ... first + count - 1.
+template <class Use>
+void for_each_inside(const Section& section, bool sorted, int first, int count, const Use& use) {
+  const auto& elements = section.elements;
+  const auto begin = sorted ? std::lower_bound(elements.begin(), elements.end(), first) : elements.begin();
+  const auto end = sorted ? std::lower_bound(begin, elements.end(), first + count) : elements.end();
+  for (auto place = begin; place != end; ++place)
+    if (*place >= first && *place < first + count) use(static_cast<std::size_t>(place - elements.begin()));
+}
 
-ElementFields element_fields(const Model& model, Positions u, const std::vector<double>& history, double dt) {
-  const auto count = static_cast<std::size_t>(model.mesh.element_count());
-  ElementFields fields{std::vector<Sym3<double>>(count), std::vector<Sym3<double>>(count),
-                       std::vector<double>(count, 1.0)};
-  const std::vector<double> pressure = nodal_pressure(model, u);
-  std::size_t first = 0;
-  for (const Section& section : model.sections) {
+ElementFields fields_of(const State& state, int first, int count) {
+  const auto size = static_cast<std::size_t>(count);
+  ElementFields fields{std::vector<Sym3<double>>(size), std::vector<Sym3<double>>(size),
+                       std::vector<double>(size, 1.0)};
+  for (std::size_t i = 0; i < state.model.sections.size(); ++i) {
+    const Section& section = state.model.sections[i];
     for_each_type(AllLaws<double>{}, [&]<class L>() {
-      if (section.material.law == L::name)
-        SectionFields<L>(model, section, u, history, first, dt, pressure, fields).run();
+      if (section.material.law != L::name) return;
+      SectionFields<L> of(state, i, first, fields);
+      for_each_inside(section, state.sorted[i], first, count, [&](std::size_t k) { of.run(k); });
     });
-    first += history_size(section);
   }
   return fields;
+}
+
+}  // namespace
+
+ElementFieldSource element_field_source(const Model& model, std::vector<Vec3<double>> u,
+                                        std::vector<double> history, double dt) {
+  auto pressure = nodal_pressure(model, u);
+  auto state = std::make_shared<State>(
+      State{model, std::move(u), std::move(history), dt, std::move(pressure), {}, {}});
+  std::size_t place = 0;
+  for (const Section& section : model.sections) {
+    state->places.push_back(place);
+    state->sorted.push_back(std::is_sorted(section.elements.begin(), section.elements.end()));
+    place += history_size(section);
+  }
+  return {model.mesh.element_count(),
+          [state](int first, int count) { return fields_of(*state, first, count); }};
 }
 
 }  // namespace glisson

@@ -2,18 +2,17 @@
 // outputs show.
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include <glisson/core/any_simulation.hpp>
 #include <glisson/core/model.hpp>
+#include <glisson/core/result_fields.hpp>
 
 namespace glisson {
 
 /// u [m] in the user's order [node_count]; history as SolidForces::history gives it; dt [s] is the step over
 /// which Prony terms follow the present stress (it is not stored). T4ANP and H8Full show their averaged F;
 /// H8Full the mean over its points.
-ElementFields element_fields(const Model& model, std::span<const Vec3<double>> u,
-                             const std::vector<double>& history, double dt);
+ElementFieldSource element_field_source(const Model& model, std::vector<Vec3<double>> u,
+                                        std::vector<double> history, double dt);
 
 }  // namespace glisson

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <glisson/core/base/error.hpp>
@@ -17,12 +18,15 @@ namespace detail {
 
 constexpr std::size_t buffer_bytes = 1 << 16;
 
-FileBuffer::FileBuffer(int descriptor) : descriptor_(descriptor), buffer_(buffer_bytes) {
+FileBuffer::FileBuffer(int descriptor)
+    : descriptor_(descriptor), start_(::lseek(descriptor, 0, SEEK_CUR)), buffer_(buffer_bytes) {
   setp(buffer_.data(), buffer_.data() + buffer_.size());
 }
 
 void FileBuffer::put(const char* data, std::size_t count) {
-  needed_ += static_cast<std::int64_t>(count);
+  std::int64_t reached = place_;
+  place_ += static_cast<std::int64_t>(count);
+  needed_ = std::max(needed_, place_);
   while (count > 0 && error_ == 0) {
     const ssize_t n = ::write(descriptor_, data, count);
     if (n < 0 && errno == EINTR) continue;
@@ -30,7 +34,8 @@ void FileBuffer::put(const char* data, std::size_t count) {
       error_ = n < 0 ? errno : EIO;
       return;
     }
-    written_ += n;
+    reached += n;
+    written_ = std::max(written_, reached);  // bytes written again count once
     data += n;
     count -= static_cast<std::size_t>(n);
   }
@@ -62,6 +67,20 @@ std::streamsize FileBuffer::xsputn(const char* text, std::streamsize count) {
 int FileBuffer::sync() {
   flush();
   return 0;  // errors are reported once, at the end, with the bytes needed
+}
+
+FileBuffer::pos_type FileBuffer::seekoff(off_type offset, std::ios_base::seekdir from,
+                                         std::ios_base::openmode) {
+  if (start_ < 0 || offset != 0 || from != std::ios_base::cur) return pos_type(off_type(-1));
+  return pos_type(start_ + place_ + (pptr() - pbase()));
+}
+
+FileBuffer::pos_type FileBuffer::seekpos(pos_type to, std::ios_base::openmode) {
+  if (start_ < 0) return pos_type(off_type(-1));
+  flush();
+  place_ = off_type(to) - start_;
+  if (error_ == 0 && ::lseek(descriptor_, off_type(to), SEEK_SET) < 0) error_ = errno;
+  return to;
 }
 
 Descriptor::~Descriptor() { close(); }

@@ -25,7 +25,8 @@ void write_atomically(const std::filesystem::path& path, const std::function<voi
 namespace detail {
 
 /// Output buffer on a file descriptor that remembers the first system error. After an error it counts on
-/// without writing, so that the message can say how many bytes were needed.
+/// without writing, so that the message can say how many bytes were needed. Where the descriptor can, tellp
+/// and seekp work.
 class FileBuffer : public std::streambuf {
  public:
   explicit FileBuffer(int descriptor);
@@ -39,12 +40,15 @@ class FileBuffer : public std::streambuf {
   int_type overflow(int_type c) override;
   std::streamsize xsputn(const char* text, std::streamsize count) override;
   int sync() override;
+  pos_type seekoff(off_type offset, std::ios_base::seekdir from, std::ios_base::openmode) override;
+  pos_type seekpos(pos_type to, std::ios_base::openmode) override;
 
  private:
   void put(const char* data, std::size_t count);
 
   int descriptor_, error_ = 0;
   std::int64_t written_ = 0, needed_ = 0;
+  std::int64_t start_, place_ = 0;  ///< where it began in the file, -1 where that cannot be told; from there
   std::vector<char> buffer_;
 };
 

@@ -1,6 +1,7 @@
 // Arrays on nodes and elements as they go into a file: views on somebody else's numbers, with a name.
 #pragma once
 
+#include <functional>
 #include <glisson/core/any_simulation.hpp>
 #include <span>
 #include <string>
@@ -14,6 +15,15 @@ struct Field {
   int components = 1;
   std::span<const double> values;  ///< [-]  [count][components]
   bool whole = false;              ///< numbers of things: written as Int32
+  /// Instead of values, for arrays that are better not held: fills out with rows first ... first + count - 1.
+  std::function<void(std::size_t first, std::size_t count, double* out)> rows = {};
+  std::size_t row_count = 0;  ///< of rows
+
+  std::size_t value_count() const {
+    return rows ? row_count * static_cast<std::size_t>(components) : values.size();
+  }
+  /// use(values) for all values in order, in pieces.
+  void for_each_piece(const std::function<void(std::span<const double>)>& use) const;
 };
 
 Field field(std::string name, std::span<const double> values);        ///< 1 component
@@ -25,16 +35,19 @@ struct Fields {
   std::vector<Field> cell;   ///< per element
 };
 
-/// One state of a simulation, copied to the host.
+/// One state of a simulation, copied to the host. The model must outlive it.
 struct Snapshot {
   double time = 0;                           ///< [s]
   std::vector<Vec3<double>> displacement;    ///< [m]    [node_count]
   std::vector<Vec3<double>> velocity;        ///< [m/s]  [node_count]
   std::vector<Vec3<double>> internal_force;  ///< [N]    [node_count]
-  ElementFields elements;                    ///< [element_count] each
+  ElementFields elements;                    ///< [element_count] each, or empty and instead:
+  ElementFieldSource element_source;         ///< asked piece by piece while a file is written
   ShellFields shells;                        ///< [triangle_count] each, or empty
 
   static Snapshot of(const AnySimulation& simulation);
+  /// stress, strain, J.
+  std::vector<Field> element_fields() const;
   /// displacement, velocity, internal_force on nodes; stress, strain, J on elements. Empty arrays are left
   /// out.
   Fields fields() const;

@@ -61,16 +61,17 @@ struct TextWriter::Columns {
     return true;
   }
 
-  void append(double time, std::span<const double> values) {
-    if (rows < 0) start(static_cast<std::int64_t>(values.size()));
-    if (rows != static_cast<std::int64_t>(values.size()))
+  void append(double time, const Field& field) {
+    const auto size = static_cast<std::int64_t>(field.value_count());
+    if (rows < 0) start(size);
+    if (rows != size)
       throw Error(ErrorKind::usage, "variable " + name + " had " + std::to_string(rows) +
-                                        " values and now has " + std::to_string(values.size()) +
+                                        " values and now has " + std::to_string(size) +
                                         ". One series belongs to one mesh.");
     if (count > 0 && time == last) keep(count - 1);  // a restart may repeat the snapshot it started from
     detail::FileBuffer buffer(file.value);
     put(buffer, {&time, 1});
-    put(buffer, values);
+    field.for_each_piece([&](std::span<const double> values) { put(buffer, values); });
     if (!buffer.flush()) undo(buffer);
     ++count;
     last = time;
@@ -189,24 +190,25 @@ int TextWriter::snapshot_count() const {
 }
 
 void TextWriter::write(const Snapshot& snapshot, double kinetic, double strain) {
-  const ElementFields& elements = snapshot.elements;
-  const std::vector<Field> fields{field("U", std::span(snapshot.displacement)),
-                                  field("F", std::span(snapshot.internal_force)),
-                                  field("S", std::span(elements.stress)),
-                                  field("E", std::span(elements.strain)),
-                                  field("EKin", std::span<const double>(&kinetic, 1)),
-                                  field("EStrain", std::span<const double>(&strain, 1))};
+  std::vector<Field> fields{field("U", std::span(snapshot.displacement)),
+                            field("F", std::span(snapshot.internal_force)),
+                            field("EKin", std::span<const double>(&kinetic, 1)),
+                            field("EStrain", std::span<const double>(&strain, 1))};
+  for (Field& f : snapshot.element_fields()) {
+    f.name = f.name == "stress" ? "S" : f.name == "strain" ? "E" : f.name;
+    fields.push_back(std::move(f));
+  }
   const auto of = [&](const std::string& name) -> const Field& {
     return *std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
   };
   for (const auto& columns : variables_) {  // all are checked before the first is written
     const Field& f = of(columns->name);
-    const std::size_t count = f.values.size() / static_cast<std::size_t>(f.components);
+    const std::size_t count = f.value_count() / static_cast<std::size_t>(f.components);
     const bool on_nodes = f.name == "U" || f.name == "F";
     const Fields one = on_nodes ? Fields{{f}, {}} : Fields{{}, {f}};
     require_finite(one, count, count, std::numeric_limits<double>::max());
   }
-  for (const auto& columns : variables_) columns->append(snapshot.time, of(columns->name).values);
+  for (const auto& columns : variables_) columns->append(snapshot.time, of(columns->name));
 }
 
 void TextWriter::finish(bool keep_columns) {

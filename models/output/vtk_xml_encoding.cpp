@@ -65,23 +65,65 @@ std::vector<unsigned char> compress_block(const unsigned char* data, std::size_t
 }
 
 /// One compressed array: [blocks][block size][size of the last block if it is not full][compressed sizes...],
-/// blocks.
-void write_compressed(std::ostream& out, const void* data, std::size_t bytes, int level) {
-  const auto* begin = static_cast<const unsigned char*>(data);
-  const std::size_t blocks = (bytes + block_bytes - 1) / block_bytes;
-  std::vector<std::uint64_t> header{blocks, block_bytes, bytes % block_bytes};
-  std::vector<std::vector<unsigned char>> packed;
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const std::size_t first = b * block_bytes;
-    packed.push_back(compress_block(begin + first, std::min(block_bytes, bytes - first), level));
-    header.push_back(packed.back().size());
+/// blocks. The sizes are known at the end; where the stream can go back the blocks are written as they come,
+/// else they are held until then.
+class CompressedArray {
+ public:
+  CompressedArray(std::ostream& out, std::size_t bytes, int level)
+      : out_(out), body_(out), level_(level), start_(out.tellp()) {
+    block_.reserve(std::min(bytes, block_bytes));
+    header_.resize(3 + (bytes + block_bytes - 1) / block_bytes);
+    header_[0] = header_.size() - 3, header_[1] = block_bytes, header_[2] = bytes % block_bytes;
+    if (can_go_back()) write_header();
   }
-  Base64 head(out), body(out);
-  head.put(reinterpret_cast<const unsigned char*>(header.data()), header.size() * sizeof(std::uint64_t));
-  head.finish();
-  for (const auto& block : packed) body.put(block.data(), block.size());
-  body.finish();
-}
+
+  void put(const void* data, std::size_t bytes) {
+    const auto* from = static_cast<const unsigned char*>(data);
+    while (bytes > 0) {
+      const std::size_t part = std::min(bytes, block_bytes - block_.size());
+      block_.insert(block_.end(), from, from + part);
+      from += part, bytes -= part;
+      if (block_.size() == block_bytes) close_block();
+    }
+  }
+  void finish() {
+    if (!block_.empty()) close_block();
+    if (!can_go_back()) write_header();
+    for (const auto& block : held_) body_.put(block.data(), block.size());
+    body_.finish();
+    if (!can_go_back()) return;
+    const auto end = out_.tellp();
+    out_.seekp(start_);
+    write_header();
+    out_.seekp(end);
+  }
+
+ private:
+  bool can_go_back() const { return start_ != std::ostream::pos_type(-1); }
+  void write_header() {
+    Base64 head(out_);
+    head.put(reinterpret_cast<const unsigned char*>(header_.data()), header_.size() * sizeof(std::uint64_t));
+    head.finish();
+  }
+  void close_block() {
+    auto packed = compress_block(block_.data(), block_.size(), level_);
+    block_.clear();
+    header_[3 + closed_++] = packed.size();
+    if (can_go_back())
+      body_.put(packed.data(), packed.size());
+    else
+      held_.push_back(std::move(packed));
+  }
+
+  std::ostream& out_;
+  Base64 body_;
+  int level_;
+  std::ostream::pos_type start_;
+  std::vector<unsigned char> block_;
+  std::vector<std::uint64_t> header_;
+  std::size_t closed_ = 0;  ///< blocks
+  std::vector<std::vector<unsigned char>> held_;
+};
 
 bool valid_utf8(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {
@@ -136,14 +178,28 @@ std::string number(double value) {
 
 }  // namespace
 
-template <class T>
-void write_array(std::ostream& out, const std::string& name, int components, std::span<const T> values,
-                 int level) {
+namespace {
+
+/// `fill` puts `bytes` bytes into the array.
+template <class T, class Fill>
+void write_data_array(std::ostream& out, const std::string& name, int components, std::size_t bytes,
+                      int level, const Fill& fill) {
   out << "<DataArray type=\"" << type_name<T>() << "\" Name=\"" << attribute(name) << '"';
   if (components != 1) out << " NumberOfComponents=\"" << components << '"';
   out << " format=\"binary\">\n";
-  write_compressed(out, values.data(), values.size_bytes(), level);
+  CompressedArray array(out, bytes, level);
+  fill(array);
+  array.finish();
   out << "\n</DataArray>\n";
+}
+
+}  // namespace
+
+template <class T>
+void write_array(std::ostream& out, const std::string& name, int components, std::span<const T> values,
+                 int level) {
+  write_data_array<T>(out, name, components, values.size_bytes(), level,
+                      [&](CompressedArray& array) { array.put(values.data(), values.size_bytes()); });
 }
 
 template void write_array(std::ostream&, const std::string&, int, std::span<const float>, int);
@@ -155,18 +211,25 @@ namespace {
 
 template <class T>
 void write_as(std::ostream& out, const Field& field, int level) {
-  std::vector<T> values(field.values.size());
-  std::transform(field.values.begin(), field.values.end(), values.begin(),
-                 [](double value) { return static_cast<T>(value); });
-  write_array<T>(out, field.name, field.components, values, level);
+  const auto fill = [&](CompressedArray& array) {
+    std::vector<T> some;
+    field.for_each_piece([&](std::span<const double> piece) {
+      for (; !piece.empty(); piece = piece.subspan(some.size())) {
+        some.resize(std::min(block_bytes / sizeof(T), piece.size()));
+        std::transform(piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(some.size()), some.begin(),
+                       [](double value) { return static_cast<T>(value); });
+        array.put(some.data(), some.size() * sizeof(T));
+      }
+    });
+  };
+  write_data_array<T>(out, field.name, field.components, field.value_count() * sizeof(T), level, fill);
 }
 
 }  // namespace
 
 void write_field(std::ostream& out, const Field& field, const VtuOptions& options) {
   if (field.whole) return write_as<std::int32_t>(out, field, options.compression);
-  if (options.precision == OutputPrecision::full)
-    return write_array(out, field.name, field.components, field.values, options.compression);
+  if (options.precision == OutputPrecision::full) return write_as<double>(out, field, options.compression);
   write_as<float>(out, field, options.compression);
 }
 

@@ -209,7 +209,13 @@ TEST(Fields, BelongToTheForces) {
     const Field u = random_field(model.mesh.X.size(), 0.02);
     SolidBench<double> bench(model);
     bench.forces(u, 0.05, true);
-    const ElementFields fields = element_fields(model, u, bench.solids().history(), 0.05);
+    const ElementFieldSource source = element_field_source(model, u, bench.solids().history(), 0.05);
+    const ElementFields fields = source.range(0, source.element_count);
+    for (int e = 0; e < source.element_count; ++e) {  // a part gives the bits of the whole
+      const ElementFields one = source.range(e, 1);
+      EXPECT_EQ(one.stress.at(0).xy, fields.stress[std::size_t(e)].xy);
+      EXPECT_EQ(one.J.at(0), fields.J[std::size_t(e)]);
+    }
     const Field f = bench.forces(u, 0.05, false);
     Field sum(f.size());
     for (int e = 0; e < model.mesh.element_count(); ++e) {

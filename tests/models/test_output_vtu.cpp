@@ -133,6 +133,39 @@ TEST(OutputVtu, AnEmptyMeshAndAMeshWithoutLabelsAreValid) {
   EXPECT_EQ(text_of(written(mesh, {}, {}), "label"), "");
 }
 
+/// Arrays that come in pieces, to streams that can go back and to one that cannot.
+TEST(OutputVtu, PiecesMakeTheSameFile) {
+  Mesh mesh;
+  mesh.X = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const int count = 60000;
+  for (int e = 0; e < count; ++e) mesh.add_element(Shape::tetrahedron, std::array{0, 1, 2, 3});
+  Snapshot held, source;
+  const auto range = [](int first, int n) {
+    ElementFields f;
+    for (int e = first; e < first + n; ++e) {
+      f.stress.push_back({double(e), 1.0 / (1 + e), -e * 7.0, 0, 5, 6e-3 * e});
+      f.strain.push_back({0.1 * e, 0, 0, 0, 0, 1});
+      f.J.push_back(1 + 1e-6 * e);
+    }
+    return f;
+  };
+  held.elements = range(0, count);
+  source.element_source = {count, range};
+  const std::string whole = written(mesh, held.fields(), {});
+  EXPECT_TRUE(whole == written(mesh, source.fields(), {}));
+  struct OneWay : std::stringbuf {  // a pipe
+    pos_type seekoff(off_type, std::ios_base::seekdir, std::ios_base::openmode) override {
+      return off_type(-1);
+    }
+  } buffer;
+  std::ostream out(&buffer);
+  write_vtu(out, mesh, source.fields());
+  EXPECT_TRUE(whole == buffer.str());
+  const OwnFolder folder;
+  write_vtu(folder.path / "a.vtu", mesh, source.fields());
+  EXPECT_TRUE(whole == content(folder.path / "a.vtu"));
+}
+
 TEST(OutputVtu, RefusesNumbersThatAreNotFiniteAndSaysWhere) {
   const Mesh mesh = mixed_mesh();
   struct Case {
