@@ -10,6 +10,7 @@
 #include <boost/thread/thread.hpp>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/cpu/flush_to_zero.hpp>
 #include <glisson/cpu/memory.hpp>
 
 namespace glisson {
@@ -77,6 +78,7 @@ struct Team::State {
 };
 
 void Team::work(State& state, int thread) {
+  const detail::FlushToZero flush;
   for (unsigned seen = 0;; ++seen) {
     state.wait_for_round(seen);
     if (state.closing.load(std::memory_order_relaxed)) return;
@@ -114,7 +116,10 @@ void Team::run_erased(void (*call)(void*, int), void* body) {
     state_->working.store(size_ - 1, std::memory_order_relaxed);
     state_->start_round();
   }
-  call(body, 0);
+  {
+    const detail::FlushToZero flush;
+    call(body, 0);
+  }
   if (size_ > 1)
     state_->spin_then_yield([this] { return state_->working.load(std::memory_order_acquire) == 0; });
 }

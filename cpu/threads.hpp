@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include <glisson/core/backend.hpp>
+#include <glisson/cpu/flush_to_zero.hpp>
 #include <glisson/cpu/host_copies.hpp>
 #include <glisson/cpu/memory.hpp>
 #include <glisson/cpu/team.hpp>
@@ -42,6 +43,7 @@ class Threads : public HostCopies {
     static_assert(std::is_trivially_copyable_v<F>);
     constexpr int cost = cost_of_body<F>(), grain = std::max(8, 64 / cost);
     if (n < (serial_below + cost - 1) / cost || thread_count() == 1) {
+      const detail::FlushToZero flush;
       for (int i = 0; i < n; ++i) body(i);
       return;
     }

@@ -1,7 +1,9 @@
 // What every backend of the CPU promises.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <ctime>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -66,6 +68,27 @@ TEST(Threads, SharesCoverEverythingOnce) {
       EXPECT_EQ(share_of(n, 0, count).first, 0);
       EXPECT_EQ(share_of(n, count - 1, count).last, n);
       for (int t = 1; t < count; ++t) EXPECT_EQ(share_of(n, t, count).first, share_of(n, t - 1, count).last);
+    }
+}
+
+struct Half {
+  const float* from;
+  float* to;
+  void operator()(int i) const { to[i] = 0.5f * from[i]; }
+};
+
+/// On every thread, in short and long loops, and the caller gets its own way of rounding back.
+TEST(Threads, SubnormalNumbersCountAsZero) {
+  constexpr float smallest = std::numeric_limits<float>::min();
+  for (const int threads : {1, 2})
+    for (const int n : {10, 5000}) {
+      Threads backend(threads);
+      const std::vector<float> from(static_cast<std::size_t>(n), smallest);
+      std::vector<float> to(from.size(), 1.0f);
+      backend.for_each(n, Half{from.data(), to.data()});
+      EXPECT_EQ(std::count(to.begin(), to.end(), 0.0f), n);
+      volatile float x = smallest;
+      EXPECT_GT(0.5f * x, 0.0f);
     }
 }
 
