@@ -16,6 +16,7 @@
 #include <glisson/cpu/bandwidth.hpp>
 #include <glisson/models/format/suggest.hpp>
 #include <glisson/models/output/atomic_file.hpp>
+#include <glisson/run/gpus.hpp>
 #include <glisson/version.hpp>
 
 namespace glisson::app {
@@ -77,9 +78,12 @@ struct Entry {
   }
 };
 
-/// The triad over arrays far larger than the caches [bytes/s]; the arrays are gone when it returns.
-double triad_bandwidth(int thread_count) {
-  Threads threads(thread_count);
+/// Of the memory that the steps work in [bytes/s]: a copy on a GPU, else the triad, over arrays far larger
+/// than the caches; the arrays are gone when it returns.
+double bandwidth_of(const BenchArguments& arguments) {
+  const bool gpu = arguments.device == "auto" ? !find_gpus().empty() : arguments.device.rfind("cuda", 0) == 0;
+  if (gpu) return gpu_copy_bandwidth(arguments.device == "auto" ? "cuda:0" : arguments.device);
+  Threads threads(arguments.threads);
   return measure_bandwidth(threads, std::size_t{40} << 20).triad;
 }
 
@@ -131,7 +135,7 @@ int bench(const BenchArguments& arguments) {
   }
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const auto list = chosen(arguments.cases);
-  const double bandwidth = triad_bandwidth(arguments.threads);
+  const double bandwidth = bandwidth_of(arguments);
   fmt::print(
       "memory bandwidth {:.1f} GB/s; share: bytes of all arrays, each once per step, over time and "
       "bandwidth\n",

@@ -61,6 +61,8 @@ class Cuda {
     kernel<<<blocks, threads, shared_bytes, static_cast<cudaStream_t>(stream())>>>(arguments...);
     device_->after_launch();
   }
+  /// Until everything that was launched is done; reports what failed in it.
+  void wait() { device_->wait(); }
   void* stream() { return device_->stream(); }
 
  private:

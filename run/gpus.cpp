@@ -1,6 +1,7 @@
 #include <glisson/run/gpus.hpp>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/cuda/bandwidth.hpp>
 #include <glisson/cuda/device.hpp>
 #include <glisson/run/simulate.hpp>
 
@@ -16,6 +17,10 @@ std::vector<Gpu> find_gpus() {
     gpus.push_back(
         {facts.name, std::to_string(facts.major) + "." + std::to_string(facts.minor), facts.memory});
   return gpus;
+}
+
+double gpu_copy_bandwidth(const std::string& device) {
+  return cuda::measure_copy_bandwidth(cuda::device_number(device), std::size_t{256} << 20);
 }
 
 #else
@@ -39,6 +44,8 @@ std::unique_ptr<AnySimulation> simulate_cuda_double(const Model&, int number) { 
 std::unique_ptr<AnySimulation> simulate_cuda_float(const Model&, int number) { refuse(number); }
 
 }  // namespace detail
+
+double gpu_copy_bandwidth(const std::string& device) { detail::refuse(cuda::device_number(device)); }
 
 #endif
 

@@ -146,6 +146,7 @@ stage_cuda() {
     return 0
   fi
   build cuda glisson test_cuda || return 0
+  attempt "package for a GPU machine" tools/gpu-check.sh --build-only
   attempt "errors of the CUDA runtime" build-cuda/tests/test_cuda
   attempt "glisson built with CUDA: exit codes and messages" python3 tests/app/test_command_line.py \
     build-cuda/app/glisson Usage

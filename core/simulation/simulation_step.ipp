@@ -6,6 +6,7 @@ namespace glisson {
 template <Backend B, class R>
 void Simulation<B, R>::step(std::int64_t count) {
   for (std::int64_t i = 0; i < count && !finished(); ++i) one_step();
+  if constexpr (requires { backend_.wait(); }) backend_.wait();
 }
 
 template <Backend B, class R>

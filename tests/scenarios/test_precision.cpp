@@ -77,18 +77,36 @@ std::vector<Feature> features() {
   return all;
 }
 
-TEST(Precision, SingleAgainstTheDoubleReference) {
-  std::ofstream table(std::string(GLISSON_BINARY_DIR) + "/precision.md");
+/// Where the table goes: $GLISSON_RESULTS, else the build folder.
+std::string table_path(const Case& c) {
+  const char* folder = std::getenv("GLISSON_RESULTS");
+  return std::string(folder ? folder : GLISSON_BINARY_DIR) + "/precision-" + c.name + ".md";
+}
+
+/// Both must take the same steps to be compared: those of the reference, or 1000 on a GPU, where they cost
+/// nothing.
+Model with_equal_steps(Model model, const Case& c) {
+  if (model.time.quasi_static) return model;
+  const bool gpu = std::string(c.device) == "cuda";
+  model.time.step = gpu ? model.time.total / 1000 : simulate(model, serial_double)->report().dt;
+  return model;
+}
+
+/// A relaxation stops anywhere inside its tolerance; contact decides on a threshold.
+double bound_of(const Model& model, const Case& c) {
+  if (model.time.quasi_static || !model.bodies.empty()) return 1e-3;
+  return std::string(c.device) == "cuda" ? 1e-5 : 2e-5;
+}
+
+class SinglePrecision : public Matrix {};
+
+TEST_P(SinglePrecision, AgainstTheDoubleReference) {
+  std::ofstream table(table_path(GetParam()));
   table << "| feature | steps | largest difference / largest displacement |\n|---|---|---|\n"
         << std::scientific << std::setprecision(1);
   for (const auto& feature : features()) {
-    auto fast = simulate(feature.model, threads_float), exact = simulate(feature.model, serial_double);
-    Model same_step = feature.model;  // both must take the same steps to be compared
-    same_step.time.step = exact->report().dt;
-    if (!feature.model.time.quasi_static) {
-      fast = simulate(same_step, threads_float);
-      exact = simulate(same_step, serial_double);
-    }
+    const Model model = with_equal_steps(feature.model, GetParam());
+    auto fast = simulate(model, GetParam()), exact = simulate(model, serial_double);
     while (!fast->finished()) fast->step(100);
     while (!exact->finished()) exact->step(100);
     const auto a = fast->displacement(), b = exact->displacement();
@@ -99,12 +117,12 @@ TEST(Precision, SingleAgainstTheDoubleReference) {
       size = std::max(size, std::sqrt(dot(b[n], b[n])));
     }
     table << "| " << feature.name << " | " << exact->step_count() << " | " << difference / size << " |\n";
-    // a relaxation stops anywhere inside its tolerance; contact decides on a threshold
-    const double bound = feature.model.time.quasi_static ? 1e-3 : feature.model.bodies.empty() ? 2e-5 : 1e-3;
     EXPECT_GT(size, 1e-3) << feature.name;
-    EXPECT_LT(difference / size, bound) << feature.name;
+    EXPECT_LT(difference / size, bound_of(model, GetParam())) << feature.name;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Rows, SinglePrecision, testing::Values(threads_float, cuda_float), case_name);
 
 }  // namespace
 }  // namespace glisson::test

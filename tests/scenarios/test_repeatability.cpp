@@ -1,6 +1,8 @@
 // The same bits every time: twice, for any number of threads, interrupted and resumed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
 #include <tests/support/models.hpp>
@@ -42,6 +44,22 @@ TEST_P(Repeatability, TwiceAndWithOneTwoAndThreeThreads) {
   }
 }
 
+/// $GLISSON_REPEATS times, where more than a few are wanted.
+TEST_P(Repeatability, ManyTimes) {
+  const char* wish = std::getenv("GLISSON_REPEATS");
+  const int repeats = wish ? std::max(2, std::atoi(wish)) : 2;
+  for (const auto formulation : {Formulation::t4, Formulation::t4anp, Formulation::h8}) {
+    const Model model = busy_model(formulation, false);
+    std::vector<Vec3<double>> first;
+    for (int i = 0; i < repeats; ++i) {
+      auto simulation = simulate(model, GetParam());
+      simulation->step(100);
+      if (i == 0) first = simulation->displacement();
+      ASSERT_TRUE(same_bits(first, simulation->displacement())) << "run " << i;
+    }
+  }
+}
+
 TEST_P(Repeatability, InterruptedAnywhereAndResumed) {
   for (const bool quasi_static : {false, true}) {
     const Model model = busy_model(Formulation::t4, quasi_static);
@@ -67,10 +85,12 @@ TEST_P(Repeatability, InterruptedAnywhereAndResumed) {
 }
 
 TEST_P(Repeatability, TwoSimulationsOfOneModelDoNotDisturbEachOther) {
-  const Model model = busy_model(Formulation::t4, false);
-  auto a = simulate(model, GetParam()), b = simulate(model, GetParam());
-  for (int i = 0; i < 10; ++i) a->step(5), b->step(3), b->step(2);
-  EXPECT_TRUE(same_bits(a->displacement(), b->displacement()));
+  for (const auto formulation : {Formulation::t4, Formulation::t4anp, Formulation::h8}) {
+    const Model model = busy_model(formulation, false);
+    auto a = simulate(model, GetParam()), b = simulate(model, GetParam());
+    for (int i = 0; i < 5; ++i) a->step(5), b->step(3), b->step(2);
+    EXPECT_TRUE(same_bits(a->displacement(), b->displacement()));
+  }
 }
 
 GLISSON_ALL_CASES(Repeatability);

@@ -44,6 +44,7 @@ inline std::vector<Vec3<double>> final_displacement(const Model& model, const Ca
 
 constexpr Case serial_double{"SerialDouble", "serial", Precision::double_precision};
 constexpr Case threads_float{"ThreadsFloat", "cpu", Precision::single_precision};
+constexpr Case cuda_float{"CudaFloat", "cuda", Precision::single_precision};
 
 /// Every row that runs on the CPU.
 inline const Case all_cases[] = {serial_double,
@@ -55,7 +56,7 @@ inline const Case all_cases[] = {serial_double,
 inline std::vector<Case> cases_with_gpu() {
   std::vector<Case> cases(std::begin(all_cases), std::end(all_cases));
   cases.push_back({"CudaDouble", "cuda", Precision::double_precision});
-  cases.push_back({"CudaFloat", "cuda", Precision::single_precision});
+  cases.push_back(cuda_float);
   return cases;
 }
 
