@@ -47,8 +47,8 @@ class AnySimulation {
  public:
   virtual ~AnySimulation() = default;
 
-  /// Advances `count` steps and returns when they are done. Throws Error(run) that names node, element, step and likely cause when the state
-  /// is not finite or the energy balance is lost.
+  /// Advances `count` steps and returns when they are done. Throws Error(run) that names node, element, step
+  /// and likely cause when the state is not finite or the energy balance is lost.
   virtual void step(std::int64_t count = 1) = 0;
   /// True at the end of the run: time reached, or converged in quasi-static mode.
   virtual bool finished() const = 0;
