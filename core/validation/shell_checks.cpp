@@ -5,6 +5,7 @@
 #include <glisson/core/validation/checks.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glisson::detail {
@@ -206,6 +207,36 @@ void check_clamped(const Model& model, Warnings& warnings) {
                        "them only; add a Constraint of Type=\"Fix\" for their positions");
 }
 
+/// Borders that lie on each other with nodes of their own: neighbours are found by shared nodes only.
+void check_seams(const Model& model, Warnings& warnings) {
+  using Ends = std::array<std::array<double, 3>, 2>;
+  const auto position = [&](int n) {
+    const auto& X = model.mesh.X[static_cast<std::size_t>(n)];
+    return std::array<double, 3>{X.x, X.y, X.z};
+  };
+  std::vector<std::pair<Ends, const TriangleEdge*>> borders;
+  const auto edges = edges_of(model.mesh.triangles);
+  for (const TriangleEdge& edge : edges) {
+    if (edge.sides.size() != 1) continue;
+    Ends ends{position(edge.a), position(edge.b)};
+    if (ends[1] < ends[0]) std::swap(ends[0], ends[1]);
+    borders.emplace_back(ends, &edge);
+  }
+  std::stable_sort(borders.begin(), borders.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  int pairs = 0;
+  std::string first;
+  for (std::size_t i = 1; i < borders.size(); ++i) {
+    if (borders[i].first != borders[i - 1].first) continue;
+    const auto text = [](const TriangleEdge& e) { return std::to_string(e.a) + " - " + std::to_string(e.b); };
+    if (pairs++ == 0) first = text(*borders[i - 1].second) + " and " + text(*borders[i].second);
+  }
+  if (pairs > 0)
+    warnings.push_back(std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") +
+                       " of edges of membranes or shells lie on each other without sharing their nodes (" +
+                       first + "): neither force nor moment passes there; merge the nodes if it should");
+}
+
 /// EBST1 is much too stiff in bending where the diagonals of a grid alternate, so that nodes of four and of
 /// eight triangles take turns (doc/shells.md).
 void check_diagonals(const Model& model, Warnings& warnings) {
@@ -240,6 +271,7 @@ void check_shells(const Model& model, Warnings& warnings) {
   check_shell_edges(model);
   check_clamped(model, warnings);
   check_diagonals(model, warnings);
+  check_seams(model, warnings);
 }
 
 }  // namespace glisson::detail

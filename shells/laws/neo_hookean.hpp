@@ -1,6 +1,7 @@
 // Neo-Hookean membranes: incompressible, and compressible in plane stress.
 #pragma once
 
+#include <glisson/core/materials/isochoric.hpp>
 #include <glisson/shells/laws/plane.hpp>
 
 namespace glisson::shells {
@@ -60,9 +61,8 @@ struct NeoHookeanCompressible {
     return {k * S.xx, k * S.yy, k * S.xy};
   }
   GLISSON_HD R energy(const Plane<R>& c) const {
-    const R j = volume_change(c), y = rcbrt(R(1) + j);
-    const R I1 = R(3) + c.xx + c.yy + change_of_thickness(c, j);
-    return R(0.5) * (mu * (y * y * I1 - R(3)) + kappa * j * j);
+    const R j = volume_change(c);
+    return R(0.5) * (mu * distortion(c, change_of_thickness(c, j), rcbrt(R(1) + j)) + kappa * j * j);
   }
   GLISSON_HD R thickness_change(const Plane<R>& c) const { return change_of_thickness(c, volume_change(c)); }
 
@@ -85,6 +85,14 @@ struct NeoHookeanCompressible {
   GLISSON_HD static R change_of_thickness(const Plane<R>& c, const R& j) {  // J^2 / D - 1
     const R d = area_change(c);
     return (j * (R(2) + j) - d) / (R(1) + d);
+  }
+  /// J^(-2/3) I1 - 3 for C33 - 1 = q and y = J^(-1/3), as for solids: C = m (I + x), tr x = 0.
+  GLISSON_HD static R distortion(const Plane<R>& c, const R& q, const R& y) {
+    const R mean = R(1.0 / 3) * (c.xx + c.yy + q), one_over_m = R(1) / (R(1) + mean);
+    const R xx = one_over_m * (c.xx - mean), yy = one_over_m * (c.yy - mean), zz = one_over_m * (q - mean),
+            xy = one_over_m * c.xy;
+    const R s = R(0.5) * (xx * xx + yy * yy + zz * zz) + xy * xy - (xx * yy - xy * xy) * zz;
+    return three_over_z_minus_3(s, one_over_m / (y * y));
   }
 };
 

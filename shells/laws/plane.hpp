@@ -26,11 +26,11 @@ GLISSON_HD Plane<R> against_thickness(const Plane<R>& c, const R& q) {
   return {s * (d - c.yy - q * (R(1) + c.yy)), s * (d - c.xx - q * (R(1) + c.xx)), r * c.xy};
 }
 
-/// I1 - 3 of an incompressible membrane, C33 = 1 / det C.
+/// I1 - 3 of an incompressible membrane, C33 = 1 / det C: of second order in the strain, and formed so.
 template <class R>
 GLISSON_HD R first_invariant(const Plane<R>& c) {
-  const R d = area_change(c), t = c.xx + c.yy;
-  return (t * d + (t - d)) / (R(1) + d);
+  const R t = c.xx + c.yy, det = c.xx * c.yy - c.xy * c.xy;
+  return (c.xx * c.xx + c.xx * c.yy + c.yy * c.yy + c.xy * c.xy + t * det) / (R(1) + area_change(c));
 }
 
 template <class R>
