@@ -97,7 +97,11 @@ std::vector<Unit> units_of(const std::string& name, const std::string& units) {
   if (name == "displacement" || is("thickness"))
     return {{"m", length}, {"mm", 1e3 * length}, {"\u00b5m", 1e6 * length}};
   if (name == "velocity") return {{"m/s", length}, {"mm/s", 1e3 * length}, {"\u00b5m/s", 1e6 * length}};
-  if (is("force")) return {{"N", force}, {"mN", 1e3 * force}, {"\u00b5N", 1e6 * force}};
+  if (name == "membrane_force") return {{"kN/m", 1e-3}, {"N/m", 1}, {"mN/m", 1e3}};
+  if (name == "moment" || is("force")) return {{"N", force}, {"mN", 1e3 * force}, {"\u00b5N", 1e6 * force}};
+  if (name == "curvature") return {{"1/mm", 1e-3 / length}, {"1/m", 1 / length}};
+  if (name == "energy")
+    return {{"J", force * length}, {"mJ", 1e3 * force * length}, {"\u00b5J", 1e6 * force * length}};
   if (is("stress"))
     return {{"MPa", 1e-6 * pressure}, {"kPa", 1e-3 * pressure}, {"Pa", pressure}, {"mPa", 1e3 * pressure}};
   return {};

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include <glisson/contact/analytic/rigid_motion.hpp>
+#include <glisson/contact/surface/surface_data.hpp>
 #include <glisson/core/mesh/surface.hpp>
 
 namespace glisson::viz {
@@ -20,29 +21,50 @@ Body plate(const RigidBody& b, const Vec3<double>& shift) {
   return body;
 }
 
-/// A tube, closed at its end by a half sphere for a probe.
+/// Places along the axis and radii from start to end: a rim that shows the open end from the front, the tube,
+/// and a rim or the half sphere of a probe.
+std::vector<std::array<double, 2>> outline(RigidShape shape, double length, double radius) {
+  const double rim = 0.94 * radius;
+  std::vector<std::array<double, 2>> points{{0, rim}, {0, radius}, {length, radius}};
+  if (shape != RigidShape::probe) points.push_back({length, rim});
+  for (int ring = 1; ring <= rings && shape == RigidShape::probe; ++ring) {
+    const double tilt = 0.5 * pi * ring / rings;
+    points.push_back({length + radius * std::sin(tilt), radius * std::cos(tilt)});
+  }
+  return points;
+}
+
 Body tube(const contact::RigidMotion& motion, double time) {
   const auto cylinder = motion.cylinder(time);
   const Vec3<double> start = motion.reference() + motion.shift(time),
                      third = cross(cylinder.axis, cylinder.side);
   Body body{motion.body().name, {}, {}};
-  const int caps = motion.body().shape == RigidShape::probe ? rings : 0;
-  for (int ring = 0; ring < 2 + caps; ++ring) {
-    const double tilt = ring < 2 ? 0 : 0.5 * pi * (ring - 1) / caps;
-    const double along = (ring == 0 ? 0 : cylinder.length) + cylinder.radius * std::sin(tilt);
-    const double radius = cylinder.radius * std::cos(tilt);
+  const auto points = outline(motion.body().shape, cylinder.length, cylinder.radius);
+  for (const auto& [along, radius] : points)
     for (int k = 0; k < sides; ++k) {
       const double angle = 2 * pi * k / sides;
       body.X.push_back(start + along * cylinder.axis +
                        radius * (std::cos(angle) * cylinder.side + std::sin(angle) * third));
     }
-  }
-  for (int ring = 0; ring < 1 + caps; ++ring)
+  for (int ring = 0; ring + 1 < static_cast<int>(points.size()); ++ring)
     for (int k = 0; k < sides; ++k) {
       const int a = ring * sides + k, b = ring * sides + (k + 1) % sides;
       body.triangles.push_back({a, b, b + sides});
       body.triangles.push_back({a, b + sides, a + sides});
     }
+  return body;
+}
+
+Body placed(const RigidSurface& surface, double time) {
+  const contact::SurfacePose pose = contact::pose_at(surface, time);
+  Body body{surface.name, {}, {}};
+  for (const auto& X : surface.surface.X)
+    body.X.push_back(contact::times(pose.turn, X - surface.centre) + pose.shift + surface.centre);
+  for (const Facet& facet : surface.surface.facets) {
+    const auto& n = facet.nodes;
+    body.triangles.push_back({n[0], n[1], n[2]});
+    if (facet.node_count() == 4) body.triangles.push_back({n[0], n[2], n[3]});
+  }
   return body;
 }
 
@@ -89,6 +111,7 @@ std::vector<Body> bodies_at(const Model& model, double time) {
     const contact::RigidMotion motion(b);
     bodies.push_back(b.shape == RigidShape::plate ? plate(b, motion.shift(time)) : tube(motion, time));
   }
+  for (const RigidSurface& surface : model.surfaces) bodies.push_back(placed(surface, time));
   return bodies;
 }
 
@@ -108,6 +131,11 @@ std::vector<Mark> marks_of(const Model& model, std::span<const Vec3<double>> x, 
   for (const auto& t : model.tractions)
     for (std::size_t k = 0; k < t.facets.size(); ++k)
       marks.at(MarkKind::force, facet_centre(t.facets[k], x), t.values[t.values.size() == 1 ? 0 : k]);
+  for (const auto& s : model.springs)
+    for (std::size_t k = 0; k < s.nodes.size(); ++k) {
+      const auto& target = s.targets[s.targets.size() == 1 ? 0 : k];
+      if (dot(target, target) > 0) marks.at(MarkKind::force, x[static_cast<std::size_t>(s.nodes[k])], target);
+    }
   for (const auto& plane : model.planes) marks.on_nodes(MarkKind::sliding, plane.nodes, plane.normal);
   return marks.list;
 }

@@ -16,7 +16,8 @@ struct Body {
   std::vector<Vec3<double>> X;  ///< [m]
   std::vector<std::array<int, 3>> triangles;
 };
-/// Open cylinders and probes have no lid at their start.
+/// Analytic bodies, then surface meshes. Cylinders, and probes at their start, have a rim instead of a lid:
+/// they are open.
 std::vector<Body> bodies_at(const Model& model, double time);
 
 enum class MarkKind { fixed, prescribed, force, pressure, sliding };

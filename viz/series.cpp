@@ -107,6 +107,17 @@ std::vector<detail::RawMesh> read_step(const Step& step) {
   return parts;
 }
 
+std::vector<int> faces_of_parts(const Step& step) {
+  std::vector<int> places;
+  for (const auto& file : step.files) {
+    const fs::path path(file), faces = path.parent_path() / (path.stem().string() + "_faces.vtp");
+    const auto found = std::find(step.files.begin(), step.files.end(), faces.string());
+    const bool is_mid = ends_with(file, ".vtp") && found != step.files.end();
+    places.push_back(is_mid ? static_cast<int>(found - step.files.begin()) : -1);
+  }
+  return places;
+}
+
 int step_index(int wanted, std::size_t count) {
   const int steps = static_cast<int>(count);
   if (wanted >= steps || wanted < -steps)

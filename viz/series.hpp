@@ -20,6 +20,10 @@ std::vector<Step> read_series(const std::string& path);
 /// All parts of a step, their node numbers checked. Throws Error(input).
 std::vector<detail::RawMesh> read_step(const Step& step);
 
+/// Of membranes and shells the results hold the mid-surface (STEM.vtp) and the faces (STEM_faces.vtp),
+/// between which it lies hidden. For each part that is a mid-surface the place of its faces, else -1.
+std::vector<int> faces_of_parts(const Step& step);
+
 /// Index of the step that the user means, negative from the end; Error(usage) when there is none.
 int step_index(int wanted, std::size_t count);
 

@@ -16,7 +16,7 @@ import unittest
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "app"))
 import png
-from simulations import box
+from simulations import box, pressed_plate
 
 GLISSON = pathlib.Path(sys.argv.pop(1))
 STORE = "--store" in sys.argv and not sys.argv.remove("--store")
@@ -88,6 +88,31 @@ class Pictures(unittest.TestCase):
         self.assertGreater(overlap, 0.93)
         # The measure tells other pictures apart.
         self.assertLess(min(png.similarity(self.draw("--view", "left"), png.luminance(stored))), 0.93)
+
+    @unittest.skipUnless(CAN_DRAW, "no VTK, or neither a display nor Xvfb")
+    def test_a_shell_between_rigid_bodies(self):
+        """A ball of triangles, an analytic cylinder seen from its end, clamped nodes, the thickness."""
+        (self.folder / "plate.xml").write_text(pressed_plate())
+        self.expect(run("run", self.folder / "plate.xml", "-o", self.folder / "plate", "-q"), 0)
+        results, stored = self.folder / "plate" / "plate.pvd", HERE / "plate.png"
+
+        def draw(*options, of=results):
+            self.expect(run("picture", of, "-o", self.png, "--size", "400x300", "--view", "front", *options), 0)
+            return png.luminance(self.png)
+
+        rows = draw("--loads")
+        if STORE:
+            shutil.copy(self.png, stored)
+        correlation, overlap = png.similarity(rows, png.luminance(stored))
+        self.assertGreater(correlation, 0.97)
+        self.assertGreater(overlap, 0.93)
+        # Without the simulation file there are no bodies: the plate at rest alone, 4 mm thick and 100 mm long.
+        (self.folder / "plate" / "summary.json").unlink()
+        rest = [[value < png.BACKGROUND - 20 for value in row[:310]] for row in draw("--step", "0")[:280]]
+        height = sum(any(row) for row in rest)
+        width = sum(any(row[x] for row in rest) for x in range(310))
+        self.assertLess(abs(height - 0.04 * width), 2)
+        self.assertLess(png.similarity(draw(), rows)[1], 0.8)
 
     @unittest.skipUnless(CAN_DRAW and os.environ.get("GLISSON_LIVER_PICTURES"), "no VTK, no display, or no CT asked for")
     def test_liver_with_and_without_capsule(self):

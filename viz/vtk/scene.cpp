@@ -66,6 +66,7 @@ void Scene::show(int step) {
   const Colouring colouring = colour_by(parts_, request_.field, facts_.units);
   renderer_->RemoveAllViewProps();
   corners_.clear();
+  choose_parts(colouring);
   add_results(colouring);
   if (request_.undeformed) add_undeformed();
   if (model_) add_model_shapes();
@@ -102,8 +103,23 @@ Vec3<double> Scene::cut_normal() const {
   return dot(n, request_.eye) < 0 ? -1.0 * n : n;
 }
 
+/// Shells show their faces; the mid-surface stands for them where only it has the field.
+void Scene::choose_parts(const Colouring& colouring) {
+  const auto faces = faces_of_parts(steps_[static_cast<std::size_t>(step_)]);
+  drawn_.assign(parts_.size(), true);
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    if (faces[p] < 0) continue;
+    const auto other = static_cast<std::size_t>(faces[p]);
+    const auto& values = colouring.parts[other].values;
+    const bool coloured =
+        std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+    drawn_[coloured ? p : other] = false;
+  }
+}
+
 void Scene::add_results(const Colouring& colouring) {
   for (std::size_t p = 0; p < parts_.size(); ++p) {
+    if (!drawn_[p]) continue;
     auto grid = grid_of(parts_[p], colouring.parts[p], request_.scale);
     if (request_.cut) grid = cut_grid(grid, cut_point(), cut_normal());
     vtkActor* actor = add(surface_of(grid));
@@ -128,7 +144,9 @@ void Scene::add_results(const Colouring& colouring) {
 }
 
 void Scene::add_undeformed() {
-  for (const auto& part : parts_) {
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    if (!drawn_[p]) continue;
+    const auto& part = parts_[p];
     const Colours none{true, std::vector<double>(part.X.size(), 0.0)};
     vtkActor* actor = add(surface_of(grid_of(part, none, 0)));
     actor->GetProperty()->SetColor(0.45, 0.5, 0.58);

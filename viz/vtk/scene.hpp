@@ -39,6 +39,7 @@ class Scene {
  private:
   void light(double right, double up, double near, double intensity);
   void read_the_model();
+  void choose_parts(const Colouring& colouring);
   void add_results(const Colouring& colouring);
   void add_undeformed();
   void add_model_shapes();
@@ -55,6 +56,7 @@ class Scene {
   RunFacts facts_;
   std::optional<Model> model_;
   std::vector<detail::RawMesh> parts_;
+  std::vector<bool> drawn_;  ///< [parts]
   std::vector<std::string> fields_;
   std::string note_;
   int step_ = -1;
