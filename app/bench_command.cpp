@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <thread>
@@ -12,6 +13,7 @@
 #include <glisson/app/box_case.hpp>
 #include <glisson/app/commands.hpp>
 #include <glisson/app/ensemble_bench.hpp>
+#include <glisson/app/sheet_case.hpp>
 #include <glisson/core/base/error.hpp>
 #include <glisson/cpu/bandwidth.hpp>
 #include <glisson/models/format/suggest.hpp>
@@ -24,8 +26,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-const std::vector<BoxCase>& variants() {
-  static const std::vector<BoxCase> list{
+/// A box of solids, or a sheet of triangles.
+struct Variant {
+  std::string name;
+  std::function<Model(int elements)> model;
+};
+
+constexpr double endless = 100;  ///< no bench reaches the end of the run [s]
+
+std::vector<Variant> variants() {
+  std::vector<Variant> list;
+  const BoxCase boxes[] = {
       {.name = "T4", .formulation = Formulation::t4},
       {.name = "T4ANP", .formulation = Formulation::t4anp},
       {.name = "H8", .formulation = Formulation::h8},
@@ -36,31 +47,41 @@ const std::vector<BoxCase>& variants() {
        .law = "OG",
        .parameters = {1000, 2, 400, 4, 200, -2, 20000}},
   };
+  for (const BoxCase& box : boxes)
+    list.push_back({box.name, [box](int elements) { return box_model(box, elements, endless); }});
+  const std::pair<const char*, SheetCase> sheets[] = {
+      {"membrane", {}},
+      {"membrane-Fung", {ShellFormulation::membrane, "Fung", {2000, 2}}},
+      {"shell", {ShellFormulation::rotation_free, "NeoHookean", {2000}}},
+      {"shell-linear", {ShellFormulation::rotation_free, "Linear", {6000, 0.45}}},
+  };
+  for (const auto& [name, sheet] : sheets)
+    list.push_back({name, [sheet](int elements) { return sheet_model(sheet, elements, endless); }});
   return list;
 }
 
-std::vector<BoxCase> chosen(const std::vector<std::string>& names) {
-  if (names.empty()) return variants();
-  std::vector<BoxCase> result;
+std::vector<Variant> chosen(const std::vector<std::string>& names) {
+  const std::vector<Variant> all = variants();
+  if (names.empty()) return all;
+  std::vector<Variant> result;
   std::vector<std::string> known;
-  for (const auto& v : variants()) known.push_back(v.name);
+  for (const auto& v : all) known.push_back(v.name);
   for (const auto& name : names) {
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end())
       throw Error(ErrorKind::usage,
                   "There is no bench case '" + name + "'" + detail::suggestion(name, known));
-    result.push_back(variants()[static_cast<std::size_t>(found - known.begin())]);
+    result.push_back(all[static_cast<std::size_t>(found - known.begin())]);
   }
   return result;
 }
 
-/// The first steps of a mesh of a million elements were measured to take 3 to 5 times as long as the later
-/// ones; a turn must be long enough that the first step after another variant's turn does not decide.
+/// A turn must be long enough that the first step after another variant's turn does not decide.
 constexpr int warm_up_steps = 30, fewest_steps = 10;
 
 /// One variant at one size, kept alive so that variants take turns.
 struct Entry {
-  BoxCase variant;
+  std::string name;
   std::unique_ptr<Model> model;
   std::unique_ptr<AnySimulation> simulation;
   std::int64_t steps_per_turn = 1;
@@ -87,10 +108,10 @@ double bandwidth_of(const BenchArguments& arguments) {
   return measure_bandwidth(threads, std::size_t{40} << 20).triad;
 }
 
-Entry prepare(const BoxCase& variant, int elements, const BenchArguments& arguments) {
+Entry prepare(const Variant& variant, int elements, const BenchArguments& arguments) {
   Entry entry;
-  entry.variant = variant;
-  entry.model = std::make_unique<Model>(box_model(variant, elements, 100));  // never ends within the bench
+  entry.name = variant.name;
+  entry.model = std::make_unique<Model>(variant.model(elements));
   SimulationOptions options;
   options.device = arguments.device;
   options.threads = arguments.threads;
@@ -107,15 +128,16 @@ Entry prepare(const BoxCase& variant, int elements, const BenchArguments& argume
 
 nlohmann::ordered_json result_of(Entry& entry, double bandwidth) {
   const double step = entry.median();
-  const int elements = entry.model->mesh.element_count();
+  const Mesh& mesh = entry.model->mesh;
+  const int elements = mesh.element_count() + static_cast<int>(mesh.triangles.size());
   const double best = entry.seconds_per_step.front();
   const auto bytes = static_cast<double>(entry.simulation->memory_bytes());
-  fmt::print("{:<12} {:>9} {:>10.4f} {:>8.2f} {:>8.2f} {:>9} {:>8.0f} % {:>8.2f}\n", entry.variant.name,
+  fmt::print("{:<14} {:>9} {:>10.4f} {:>8.2f} {:>8.2f} {:>9} {:>8.0f} % {:>8.2f}\n", entry.name,
              elements, 1e3 * step, 1e9 * step / elements, 1e9 * best / elements,
              static_cast<long>(bytes / elements), 100 * bytes / step / bandwidth, entry.set_up);
-  return {{"case", entry.variant.name},
+  return {{"case", entry.name},
           {"elements", elements},
-          {"nodes", entry.model->mesh.node_count()},
+          {"nodes", mesh.node_count()},
           {"device", entry.simulation->device()},
           {"ms_per_step", 1e3 * step},
           {"ns_per_element_and_step", 1e9 * step / elements},
@@ -140,7 +162,7 @@ int bench(const BenchArguments& arguments) {
       "memory bandwidth {:.1f} GB/s; share: bytes of all arrays, each once per step, over time and "
       "bandwidth\n",
       bandwidth / 1e9);
-  fmt::print("{:<12} {:>9} {:>10} {:>8} {:>8} {:>9} {:>10} {:>8}\n", "case", "elements", "ms/step", "ns/el",
+  fmt::print("{:<14} {:>9} {:>10} {:>8} {:>8} {:>9} {:>10} {:>8}\n", "case", "elements", "ms/step", "ns/el",
              "best", "bytes/el", "share", "set-up s");
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   for (const int size : arguments.sizes) {

@@ -82,3 +82,19 @@ function(glisson_kernel_files out)
   set(${out} ${files} ${CMAKE_CURRENT_BINARY_DIR}/kernels/catalogue.cpp
     ${CMAKE_CURRENT_BINARY_DIR}/kernels/lane_catalogue.cpp PARENT_SCOPE)
 endfunction()
+
+# The same for membranes and shells, which only run/ may join with the packs of cpu/: one source per instruction set.
+function(glisson_shell_kernel_files out)
+  set(files)
+  foreach(set IN LISTS GLISSON_INSTRUCTION_SETS)
+    list(GET GLISSON_${set} 0 set_name)
+    list(GET GLISSON_${set} 1 width)
+    list(GET GLISSON_${set} 2 flags)
+    glisson_kernel_source(shell_packs/kernels.cpp.in shells_${set} "${flags}" files)
+    string(APPEND shell_declarations "extern const ShellKernels shell_kernels_${set};\n")
+    string(APPEND shell_tables "&shell_kernels_${set}, ")
+  endforeach()
+  configure_file(${CMAKE_CURRENT_SOURCE_DIR}/shell_packs/catalogue.cpp.in
+    ${CMAKE_CURRENT_BINARY_DIR}/kernels/shell_catalogue.cpp @ONLY)
+  set(${out} ${files} ${CMAKE_CURRENT_BINARY_DIR}/kernels/shell_catalogue.cpp PARENT_SCOPE)
+endfunction()

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace glisson {
@@ -33,8 +34,7 @@ Bounds bounds_of(const Mesh& mesh) {
   return b;
 }
 
-std::uint64_t morton_key(const Mesh& mesh, int e, const Bounds& bounds) {
-  const auto nodes = mesh.element(e);
+std::uint64_t morton_key(const Mesh& mesh, std::span<const int> nodes, const Bounds& bounds) {
   Vec3<double> sum{};
   for (const int n : nodes) sum = sum + mesh.X[static_cast<std::size_t>(n)];
   const double scale = 2097151 / bounds.size(), share = 1.0 / double(nodes.size());
@@ -45,20 +45,28 @@ std::uint64_t morton_key(const Mesh& mesh, int e, const Bounds& bounds) {
          spread(cell(sum.z, bounds.low.z)) << 2;
 }
 
+/// 0 .. count - 1 along the curve; nodes_of(i) gives the nodes of number i.
+template <class NodesOf>
+std::vector<int> curve_order(const Mesh& mesh, const Bounds& bounds, std::size_t count, NodesOf&& nodes_of) {
+  std::vector<std::pair<std::uint64_t, int>> keys(count);
+  for (std::size_t i = 0; i < count; ++i)
+    keys[i] = {morton_key(mesh, nodes_of(static_cast<int>(i)), bounds), static_cast<int>(i)};
+  std::sort(keys.begin(), keys.end());
+  std::vector<int> order(count);
+  for (std::size_t i = 0; i < count; ++i) order[i] = keys[i].second;
+  return order;
+}
+
 }  // namespace
 
 Numbering make_numbering(const Mesh& mesh) {
   Numbering numbering;
-  const auto elements = static_cast<std::size_t>(mesh.element_count()), nodes = mesh.X.size();
-  {
-    const Bounds bounds = bounds_of(mesh);
-    std::vector<std::pair<std::uint64_t, int>> keys(elements);
-    for (std::size_t e = 0; e < elements; ++e)
-      keys[e] = {morton_key(mesh, static_cast<int>(e), bounds), static_cast<int>(e)};
-    std::sort(keys.begin(), keys.end());
-    numbering.element_order.resize(elements);
-    for (std::size_t e = 0; e < elements; ++e) numbering.element_order[e] = keys[e].second;
-  }
+  const std::size_t nodes = mesh.X.size();
+  const Bounds bounds = bounds_of(mesh);
+  auto triangle = [&](int t) -> std::span<const int> { return mesh.triangles[static_cast<std::size_t>(t)]; };
+  numbering.element_order = curve_order(mesh, bounds, static_cast<std::size_t>(mesh.element_count()),
+                                        [&](int e) { return mesh.element(e); });
+  numbering.triangle_order = curve_order(mesh, bounds, mesh.triangles.size(), triangle);
   numbering.internal_of_user.assign(nodes, -1);
   numbering.user_of_internal.reserve(nodes);
   auto touch = [&](int user) {
@@ -69,6 +77,8 @@ Numbering make_numbering(const Mesh& mesh) {
   };
   for (const int e : numbering.element_order)
     for (const int user : mesh.element(e)) touch(user);
+  for (const int t : numbering.triangle_order)
+    for (const int user : triangle(t)) touch(user);
   for (std::size_t n = 0; n < nodes; ++n) touch(static_cast<int>(n));  // nodes without elements come last
   return numbering;
 }

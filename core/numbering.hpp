@@ -12,6 +12,7 @@ struct Numbering {
   std::vector<int> internal_of_user;  ///< internal node of a user's node [-]  [node_count]
   std::vector<int> user_of_internal;  ///< and back                            [node_count]
   std::vector<int> element_order;     ///< user's element at internal place i  [element_count]
+  std::vector<int> triangle_order;    ///< user's triangle at internal place i [triangles]
 };
 
 Numbering make_numbering(const Mesh& mesh);

@@ -26,11 +26,18 @@ inline std::vector<double> reordered(const std::vector<double>& user, const Numb
   return internal;
 }
 
-/// make_solids(backend, model, numbering) -> std::unique_ptr<SolidForces<R>>.
-template <Backend B, class R, class MakeSolids>
+/// Membranes and shells as loops over triangles; solids may be null.
+template <Backend B, class R>
+std::unique_ptr<SolidForces<R>> make_plain_shells(B& backend, const Model& model, const Numbering& numbering,
+                                                  std::unique_ptr<SolidForces<R>> solids) {
+  return std::make_unique<shells::ShellForces<B, R>>(backend, model, numbering, std::move(solids));
+}
+
+/// make_solids(backend, model, numbering) -> std::unique_ptr<SolidForces<R>>; make_shells as above.
+template <Backend B, class R, class MakeSolids, class MakeShells>
 // NOLINTNEXTLINE(performance-unnecessary-value-param): the device's name is moved
 std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> backend, std::string device,
-                                        MakeSolids&& make_solids) {
+                                        MakeSolids&& make_solids, MakeShells&& make_shells) {
   SimulationParts<B, R> parts;
   parts.device = std::move(device);
   parts.numbering = make_numbering(model.mesh);
@@ -41,8 +48,7 @@ std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> b
   parts.element_step = inertia.step;
   if (model.mesh.element_count() > 0) parts.solids = make_solids(*backend, model, parts.numbering);
   if (!model.shells.empty())
-    parts.solids = std::make_unique<shells::ShellForces<B, R>>(*backend, model, parts.numbering,
-                                                               std::move(parts.solids));
+    parts.solids = make_shells(*backend, model, parts.numbering, std::move(parts.solids));
   const std::vector<double> gravity_mass = reordered(lumped_mass(model), parts.numbering);
   parts.loads = make_loads<B, R>(*backend, model, parts.numbering, gravity_mass, parts.mass);
   parts.bodies = contact::make_rigid_bodies<B, R>(*backend, model, parts.numbering, parts.mass);

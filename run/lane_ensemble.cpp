@@ -15,7 +15,8 @@ namespace {
 
 std::unique_ptr<AnySimulation> make_member(const Model& model, std::unique_ptr<SolidForces<float>> solids) {
   return assemble<Serial, float>(model, std::make_unique<Serial>(), "Ensemble float",
-                                 [&](Serial&, const Model&, const Numbering&) { return std::move(solids); });
+                                 [&](Serial&, const Model&, const Numbering&) { return std::move(solids); },
+                                 make_plain_shells<Serial, float>);
 }
 
 class LaneEnsemble final : public AnyEnsemble {

@@ -8,7 +8,8 @@ namespace glisson::detail {
 std::unique_ptr<AnySimulation> simulate_cuda_double(const Model& model, int number) {
   auto backend = std::make_unique<Cuda>(number);
   const std::string device = "CUDA double, cuda:" + std::to_string(number) + " " + backend->facts().name;
-  return assemble<Cuda, double>(model, std::move(backend), device, make_staged_solids<Cuda, double>);
+  return assemble<Cuda, double>(model, std::move(backend), device, make_staged_solids<Cuda, double>,
+                                make_plain_shells<Cuda, double>);
 }
 
 }  // namespace glisson::detail

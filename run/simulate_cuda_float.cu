@@ -8,7 +8,8 @@ namespace glisson::detail {
 std::unique_ptr<AnySimulation> simulate_cuda_float(const Model& model, int number) {
   auto backend = std::make_unique<Cuda>(number);
   const std::string device = "CUDA float, cuda:" + std::to_string(number) + " " + backend->facts().name;
-  return assemble<Cuda, float>(model, std::move(backend), device, make_staged_solids<Cuda, float>);
+  return assemble<Cuda, float>(model, std::move(backend), device, make_staged_solids<Cuda, float>,
+                               make_plain_shells<Cuda, float>);
 }
 
 }  // namespace glisson::detail

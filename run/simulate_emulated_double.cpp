@@ -7,7 +7,8 @@ namespace glisson::detail {
 
 std::unique_ptr<AnySimulation> simulate_emulated_double(const Model& model) {
   return assemble<EmulatedDevice, double>(model, std::make_unique<EmulatedDevice>(), "EmulatedDevice double",
-                                          make_staged_solids<EmulatedDevice, double>);
+                                          make_staged_solids<EmulatedDevice, double>,
+                                          make_plain_shells<EmulatedDevice, double>);
 }
 
 }  // namespace glisson::detail

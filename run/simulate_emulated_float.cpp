@@ -7,7 +7,8 @@ namespace glisson::detail {
 
 std::unique_ptr<AnySimulation> simulate_emulated_float(const Model& model) {
   return assemble<EmulatedDevice, float>(model, std::make_unique<EmulatedDevice>(), "EmulatedDevice float",
-                                         make_staged_solids<EmulatedDevice, float>);
+                                         make_staged_solids<EmulatedDevice, float>,
+                                         make_plain_shells<EmulatedDevice, float>);
 }
 
 }  // namespace glisson::detail

@@ -7,7 +7,7 @@ namespace glisson::detail {
 
 std::unique_ptr<AnySimulation> simulate_serial_float(const Model& model) {
   return assemble<Serial, float>(model, std::make_unique<Serial>(), "Serial float",
-                                 make_plain_solids<Serial, float>);
+                                 make_plain_solids<Serial, float>, make_plain_shells<Serial, float>);
 }
 
 }  // namespace glisson::detail

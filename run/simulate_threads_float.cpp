@@ -1,6 +1,7 @@
 #include <glisson/cpu/patch_solids.hpp>
 #include <glisson/cpu/threads.hpp>
 #include <glisson/run/assemble.hpp>
+#include <glisson/run/shell_packs/packed_shells.hpp>
 #include <glisson/run/simulate.hpp>
 
 namespace glisson::detail {
@@ -13,7 +14,12 @@ std::unique_ptr<AnySimulation> simulate_threads_float(const Model& model, int th
   auto make_solids = [&](Threads& backend, const Model& its_model, const Numbering& numbering) {
     return make_patch_solids(backend, its_model, numbering, set);
   };
-  return assemble<Threads, float>(model, std::make_unique<Threads>(threads), device, make_solids);
+  auto make_shells = [&](Threads& backend, const Model& its_model, const Numbering& numbering,
+                         std::unique_ptr<SolidForces<float>> solids) {
+    return shells::make_packed_shells(backend, its_model, numbering, std::move(solids), set);
+  };
+  return assemble<Threads, float>(model, std::make_unique<Threads>(threads), device, make_solids,
+                                  make_shells);
 }
 
 }  // namespace glisson::detail

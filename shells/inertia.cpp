@@ -65,9 +65,13 @@ Built build(const Model& model) {
   return built;
 }
 
-double squares(const double (&dN)[3][2]) {
+/// Of the gradients of the three shape functions.
+double squares(const double (&g)[2][2]) {
   double sum = 0;
-  for (const auto& row : dN) sum += row[0] * row[0] + row[1] * row[1];
+  for (int k = 0; k < 2; ++k) {
+    const double third = g[0][k] + g[1][k];
+    sum += g[0][k] * g[0][k] + g[1][k] * g[1][k] + third * third;
+  }
   return sum;
 }
 
@@ -76,11 +80,13 @@ TriangleStep membrane_step(const Membrane::Constants<double>& c, const Eigen::Ma
   const SurfaceGradient<double> rest{};
   for (int k = 0; k < 3; ++k) {
     Vec3<double> f[3]{};
-    subtract_stress(c.point, rest, {k == 0 ? 1. : 0., k == 1 ? 1. : 0., k == 2 ? 1. : 0.}, 1.0, f);
+    const double unit_stress = 1 / c.volume;
+    Membrane::forces_of(
+        c, rest, {k == 0 ? unit_stress : 0., k == 1 ? unit_stress : 0., k == 2 ? unit_stress : 0.}, f);
     for (int a = 0; a < 3; ++a) forces.block<3, 1>(Eigen::Index{3} * a, k) << f[a].x, f[a].y, f[a].z;
   }
   const double third[3] = {mass / 3, mass / 3, mass / 3};
-  return {2 / std::sqrt(largest_eigenvalue(c.volume * D, forces, third)), 1 / std::sqrt(squares(c.point.dN))};
+  return {2 / std::sqrt(largest_eigenvalue(c.volume * D, forces, third)), 1 / std::sqrt(squares(c.point.g))};
 }
 
 /// Mass at the slots of a patch: a quarter of each of its triangles, in thirds to their nodes.
@@ -120,7 +126,7 @@ TriangleStep shell_step(const RotationFree::Constants<double>& c, const Eigen::M
   }
   for (int a = 0; a < 6; ++a)
     mass[a] = slot_mass[a] > 0 ? slot_mass[a] : 1;  // slots that repeat a node hold nothing
-  return {2 / std::sqrt(largest_eigenvalue(stiffness, forces, mass)), std::sqrt(c.double_area) / 2};
+  return {2 / std::sqrt(largest_eigenvalue(stiffness, forces, mass)), 0.5 / std::sqrt(c.inverse_double_area)};
 }
 
 /// visit(section, element of the section, step)

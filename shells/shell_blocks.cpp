@@ -94,7 +94,6 @@ class ShellBuilder {
     const auto axis = unit(along - dot(along, normal) * normal);
     block.frames.push_back({{axis, cross(normal, axis)}, normal});
     block.nodes.insert(block.nodes.end(), t.begin(), t.end());
-    block.pushes.insert(block.pushes.end(), 3, 1);
     block.patch.push_back(e);
     if (!block.bends()) {
       block.patch.insert(block.patch.end(), 3, -1);
@@ -126,7 +125,6 @@ class ShellBuilder {
     } else {
       across = Across::nothing;
     }
-    block.pushes.push_back(across == Across::nothing ? 0 : 1);
     const auto N = cross(X[j] - X[k], X[3 + s] - X[s]);  // parallel to the normal at the side
     const auto edge = X[j] - X[k];
     if (across != Across::nothing && !(dot(N, N) > 1e-8 * dot(edge, edge) * dot(edge, edge)))

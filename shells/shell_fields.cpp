@@ -5,6 +5,7 @@
 
 #include <glisson/core/tensor/symmetric.hpp>
 #include <glisson/shells/laws/laws.hpp>
+#include <glisson/shells/relaxation.hpp>
 #include <glisson/shells/shell_kernels.hpp>
 
 namespace glisson::shells {
@@ -21,13 +22,6 @@ Sym3<double> in_space(const SurfaceFrame& frame, const Plane<double>& P) {
   return {entry(a.x, a.x, b.x, b.x), entry(a.y, a.y, b.y, b.y), entry(a.z, a.z, b.z, b.z),
           entry(a.x, a.y, b.x, b.y), entry(a.y, a.z, b.y, b.z), entry(a.x, a.z, b.x, b.z)};
 }
-
-/// One element's history as `relaxed` wants it.
-struct ElementHistory {
-  double* history;
-  const PronyCoefficients<double>* terms;
-  int term_count, element_count = 1;
-};
 
 /// One section with element E and law L.
 template <class E, class L>
@@ -68,14 +62,14 @@ class SectionFields {
  private:
   Plane<double> stress(std::size_t k, const Plane<double>& c) {
     const Plane<double> S = section_.wrinkling ? tension_field_stress(law_, c) : law_.second_pk(c);
-    const ElementHistory history{history_.data() + 3 * terms_.size() * k, terms_.data(),
-                                 static_cast<int>(terms_.size())};
+    const PlaneHistory<double, double> history{history_.data() + 3 * terms_.size() * k, terms_.data(),
+                                               static_cast<int>(terms_.size())};
     return relaxed(history, 0, S, false);  // only read: store is false
   }
   void bend(std::size_t e, const SurfaceFrame& frame, const RotationFree::Constants<double>& constants,
             const Vec3<double> (&u_e)[RotationFree::node_count], ShellFields& out) const {
     const Bending<double> chi = RotationFree::state(constants, u_e).chi;
-    const double stiffness = constants.bending / (0.5 * constants.double_area);
+    const double stiffness = 2 * constants.bending * constants.inverse_double_area;
     const Bending<double> M = RotationFree::moments(stiffness, constants.nu, chi);
     out.moment[e] = in_space(frame, {M.xx, M.yy, M.xy});
     out.curvature[e] = in_space(frame, {chi.xx, chi.yy, chi.xy / 2});

@@ -1,7 +1,8 @@
-// Membranes and shells together with the solids of a model, as the one provider of internal forces. Include
-// it only where a backend is instantiated.
+// Membranes and shells in plain form on any backend: force per triangle, then a gather per node. Include it
+// only where a backend is instantiated.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <vector>
@@ -10,9 +11,8 @@
 #include <glisson/core/backend.hpp>
 #include <glisson/core/loads/upload.hpp>
 #include <glisson/core/numbering.hpp>
-#include <glisson/core/solids/solid_forces.hpp>
+#include <glisson/shells/internal_forces.hpp>
 #include <glisson/shells/laws/laws.hpp>
-#include <glisson/shells/shell_fields.hpp>
 #include <glisson/shells/shell_kernels.hpp>
 
 namespace glisson::shells {
@@ -24,8 +24,8 @@ class ShellBlock {
   virtual ~ShellBlock() = default;
   virtual void forces(const StepView<R>& step) = 0;
   virtual void energy(const StepView<R>& step) = 0;
-  virtual std::size_t history_size() const = 0;              ///< [-]
-  virtual void history(std::vector<double>& all) const = 0;  ///< appends [element][term][3]
+  virtual std::size_t history_size() const = 0;          ///< [-]
+  virtual void get_history(double* values) const = 0;  ///< [element][term][3]
   virtual void set_history(const double* values) = 0;
 };
 
@@ -38,7 +38,7 @@ class TypedShellBlock final : public ShellBlock<R> {
                   const Numbering& numbering, Vec4<R>* f_element, double* energy)
       : backend_(backend), prony_(host.section->prony) {
     std::vector<typename E::template Constants<R>> own;
-    for (const auto& c : constants) own.push_back(narrowed<R>(c));
+    for (const auto& c : constants) own.push_back(narrowed<R, E::template Constants>(c));
     std::vector<int> nodes;
     for (const int n : host.nodes) nodes.push_back(numbering.internal_of_user[static_cast<std::size_t>(n)]);
     constants_ = detail::upload(backend, own);
@@ -50,9 +50,8 @@ class TypedShellBlock final : public ShellBlock<R> {
     view_.law = L::load(parameters.data());
     view_.constants = constants_.get(), view_.nodes = nodes_.get();
     view_.f_element = f_element, view_.energy = energy;
-    view_.history = history_.get(), view_.terms = terms_.get();
     view_.element_count = static_cast<int>(constants.size());
-    view_.term_count = static_cast<int>(prony_.size());
+    view_.history = {history_.get(), terms_.get(), static_cast<int>(prony_.size()), view_.element_count};
     view_.wrinkling = host.section->wrinkling;
   }
 
@@ -66,13 +65,13 @@ class TypedShellBlock final : public ShellBlock<R> {
   std::size_t history_size() const override {
     return 3 * prony_.size() * static_cast<std::size_t>(view_.element_count);
   }
-  void history(std::vector<double>& all) const override {
+  void get_history(double* values) const override {
     std::vector<R> own(history_size());
     if (own.empty()) return;
     backend_.copy_out(history_.get(), own.data(), own.size());
     const std::size_t rows = 3 * prony_.size(), count = own.size() / rows;
     for (std::size_t e = 0; e < count; ++e)
-      for (std::size_t k = 0; k < rows; ++k) all.push_back(double(own[k * count + e]));
+      for (std::size_t k = 0; k < rows; ++k) values[e * rows + k] = double(own[k * count + e]);
   }
   void set_history(const double* values) override {
     std::vector<R> own(history_size());
@@ -113,8 +112,7 @@ struct ShellIncidence {
     int slot = 0;
     for (const HostShells& block : blocks)
       for (std::size_t i = 0; i < block.nodes.size(); ++i, ++slot)
-        if (block.pushes[i] != 0)
-          slots_of_node[numbering.internal_of_user[static_cast<std::size_t>(block.nodes[i])]].push_back(slot);
+        slots_of_node[numbering.internal_of_user[static_cast<std::size_t>(block.nodes[i])]].push_back(slot);
     for (const auto& [node, its_slots] : slots_of_node) {
       nodes.push_back(node);
       slots.insert(slots.end(), its_slots.begin(), its_slots.end());
@@ -124,13 +122,12 @@ struct ShellIncidence {
 };
 
 template <Backend B, class R>
-class ShellForces final : public SolidForces<R> {
+class ShellForces final : public InternalForces<R> {
  public:
-  /// solids: those of the same model; null when it has none. The backend must outlive this; the model need
-  /// not.
+  /// The backend must outlive this; the model need not.
   ShellForces(B& backend, const Model& model, const Numbering& numbering,
               std::unique_ptr<SolidForces<R>> solids)
-      : backend_(backend), solids_(std::move(solids)), sum_(backend) {
+      : InternalForces<R>(std::move(solids)), backend_(backend), sum_(backend) {
     const auto hosts = make_shell_blocks(model);
     const ShellIncidence incidence(hosts, numbering);
     node_count_ = static_cast<int>(incidence.nodes.size());
@@ -151,46 +148,36 @@ class ShellForces final : public SolidForces<R> {
   }
 
   Space space() const override { return B::space; }
-  void add_forces(const StepView<R>& step) override {
-    if (solids_) solids_->add_forces(step);
+
+ private:
+  void add_shell_forces(const StepView<R>& step) override {
     for (auto& block : blocks_) block->forces(step);
     backend_.for_each(node_count_, GatherShells<R>{incident_nodes_.get(), begin_.get(), slots_.get(),
                                                    f_element_.get(), step.f});
   }
-  double strain_energy(const StepView<R>& step) override {
+  double energy_of_shells(const StepView<R>& step) override {
     for (auto& block : blocks_) block->energy(step);
-    shell_energy_ = sum_(energy_.get(), static_cast<int>(element_count_));
-    return (solids_ ? solids_->strain_energy(step) : 0) + shell_energy_;
+    return sum_(energy_.get(), static_cast<int>(element_count_));
   }
-  double shell_energy() const override { return shell_energy_; }
-  double hourglass_energy(const StepView<R>& step) override {
-    return solids_ ? solids_->hourglass_energy(step) : 0;
+  std::size_t shell_history_size() const override {
+    std::size_t size = 0;
+    for (const auto& block : blocks_) size += block->history_size();
+    return size;
   }
-  /// The solids' history, then [section][element][term][3] of the shells.
-  std::vector<double> history() const override {
-    std::vector<double> all = solids_ ? solids_->history() : std::vector<double>{};
-    for (const auto& block : blocks_) block->history(all);
-    return all;
-  }
-  void set_history(const std::vector<double>& history) override {
-    std::size_t own = 0;
-    for (const auto& block : blocks_) own += block->history_size();
-    std::size_t place = history.size() - own;
-    if (solids_)
-      solids_->set_history({history.begin(), history.begin() + static_cast<std::ptrdiff_t>(place)});
-    for (auto& block : blocks_) {
-      block->set_history(history.data() + place);
-      place += block->history_size();
+  void get_shell_history(double* values) const override {
+    for (const auto& block : blocks_) {
+      block->get_history(values);
+      values += block->history_size();
     }
   }
-  ShellFields shell_fields(const Model& model, std::span<const Vec3<double>> u, double dt) const override {
-    std::vector<double> own;
-    for (const auto& block : blocks_) block->history(own);
-    return shells::shell_fields(model, u, own, dt);
+  void set_shell_history(const double* values) override {
+    for (auto& block : blocks_) {
+      block->set_history(values);
+      values += block->history_size();
+    }
   }
-  std::size_t memory_bytes() const override { return bytes_ + (solids_ ? solids_->memory_bytes() : 0); }
+  std::size_t shell_bytes() const override { return bytes_; }
 
- private:
   void add_block(const HostShells& host, const Numbering& numbering, Vec4<R>* f_element, double* energy) {
     const auto make = [&]<class E, class L>(const auto& constants) {
       if (host.section->law != L::name) return;
@@ -207,11 +194,9 @@ class ShellForces final : public SolidForces<R> {
   }
 
   B& backend_;
-  std::unique_ptr<SolidForces<R>> solids_;
   std::vector<std::unique_ptr<ShellBlock<R>>> blocks_;
   int node_count_ = 0;
   std::size_t element_count_ = 0, bytes_ = 0;
-  double shell_energy_ = 0;  ///< of the last strain_energy() [J]
   Buffer<int> incident_nodes_, begin_, slots_;
   Buffer<Vec4<R>> f_element_;
   Buffer<double> energy_;

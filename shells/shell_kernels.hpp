@@ -1,8 +1,8 @@
 // Loop bodies of membranes and shells: force per triangle, then a gather per node in a fixed order.
 #pragma once
 
-#include <glisson/core/materials/prony.hpp>
 #include <glisson/shells/laws/tension_field.hpp>
+#include <glisson/shells/relaxation.hpp>
 #include <glisson/shells/shell_blocks.hpp>
 
 namespace glisson::shells {
@@ -11,13 +11,12 @@ namespace glisson::shells {
 template <class R, class E, class L>
 struct ShellView {
   const typename E::template Constants<R>* constants = nullptr;  ///< [element_count]
-  const int* nodes = nullptr;                   ///< internal [-]  [element_count][E::node_count]
-  Vec4<R>* f_element = nullptr;                 ///< [N]           [element_count][E::node_count]
-  double* energy = nullptr;                     ///< [J]           [element_count]
-  R* history = nullptr;                         ///< Y [Pa]        [term][3][element_count]
-  const PronyCoefficients<R>* terms = nullptr;  ///< [term_count]
+  const int* nodes = nullptr;    ///< internal [-]  [element_count][E::node_count]
+  Vec4<R>* f_element = nullptr;  ///< [N]           [element_count][E::node_count]
+  double* energy = nullptr;      ///< [J]           [element_count]
+  PlaneHistory<R, R> history;
   L law;
-  int element_count = 0, term_count = 0;
+  int element_count = 0;
   bool wrinkling = false;
 
   GLISSON_HD void gather(int e, const Vec4<R>* u, Vec3<R> (&u_e)[E::node_count]) const {
@@ -27,21 +26,6 @@ struct ShellView {
     }
   }
 };
-
-/// S less the relaxed part; new Y are stored if asked for.
-template <class R, class View>
-GLISSON_HD Plane<R> relaxed(const View& view, int e, const Plane<R>& S, bool store) {
-  const R elastic[3] = {S.xx, S.yy, S.xy};
-  R left[3] = {S.xx, S.yy, S.xy};
-  for (int t = 0; t < view.term_count; ++t)
-    for (int k = 0; k < 3; ++k) {
-      R& place = view.history[std::ptrdiff_t(3 * t + k) * view.element_count + e];
-      const R before = place, Y = before + view.terms[t].rate * (view.terms[t].alpha * elastic[k] - before);
-      left[k] = left[k] - Y;
-      if (store) place = Y;
-    }
-  return {left[0], left[1], left[2]};
-}
 
 template <class R, class E, class L>
 struct ShellForcesBody {
@@ -54,7 +38,7 @@ struct ShellForcesBody {
     view.gather(e, u, u_e);
     const auto stress = [&](const Plane<R>& c) {
       const Plane<R> S = view.wrinkling ? tension_field_stress(view.law, c) : view.law.second_pk(c);
-      return relaxed(view, e, S, store);
+      return relaxed(view.history, e, S, store);
     };
     E::forces(view.constants[e], u_e, stress, f_e);
     for (int a = 0; a < E::node_count; ++a)

@@ -11,26 +11,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Rows of a node are summed two at a time; an odd one is paired with a row of zeros.
-int even(int rows) { return rows + rows % 2; }
-
-int tiles_for(std::size_t items, int width) { return static_cast<int>((items + at(width) - 1) / at(width)); }
-
-/// Places in one block of memory, each aligned to a cache line.
-class Plan {
- public:
-  template <class T>
-  std::size_t add(std::size_t count) {
-    const std::size_t place = bytes_;
-    bytes_ += (count * sizeof(T) + detail::cache_line - 1) / detail::cache_line * detail::cache_line;
-    return place;
-  }
-  std::size_t bytes() const { return bytes_; }
-
- private:
-  std::size_t bytes_ = 0;
-};
-
 }  // namespace
 
 Layout layout_of(Kind kind) {
@@ -53,11 +33,11 @@ PatchBuilder::PatchBuilder(const Model& model, const Numbering& numbering, Eleme
       parameters_(parameters),
       width_(width),
       arena_(arena),
-      valence_(model.mesh.X.size()),
+      lists_(model.mesh.node_count(), width),
       local_(model.mesh.X.size(), -1) {
   for (const Section& section : model.sections)
     for (const int e : section.elements)
-      for (const int n : model.mesh.element(e)) ++valence_[at(numbering.internal_of_user[at(n)])];
+      for (const int n : model.mesh.element(e)) lists_.count(numbering.internal_of_user[at(n)]);
 }
 
 void PatchBuilder::add(Block& block, std::vector<int> elements, std::vector<Patch>& patches) {
@@ -123,7 +103,7 @@ std::vector<Item> PatchBuilder::tetrahedron_items(std::span<const int> elements)
   }
   for (const int n : internal) local_[at(n)] = -1;
   std::vector<Item> items;
-  for (const Strip& strip : build_strips(tetrahedra)) {
+  for (const Strip<4>& strip : build_strips<4>(tetrahedra)) {
     Item item;
     item.corners = strip.corners();
     for (std::size_t k = 0; k < 6; ++k) item.node[k] = internal[at(strip.node[k])];
@@ -132,52 +112,6 @@ std::vector<Item> PatchBuilder::tetrahedron_items(std::span<const int> elements)
     items.push_back(item);
   }
   return items;
-}
-
-std::vector<PatchBuilder::LocalNode> PatchBuilder::sorted_nodes(const Layout& layout,
-                                                                std::span<const Item> items, int& interior) {
-  std::vector<LocalNode> nodes;
-  for (const Item& item : items)
-    for (int k = 0; k < item.corners; ++k) {
-      int& local = local_[at(item.node[at(k)])];
-      if (local < 0) {
-        local = static_cast<int>(nodes.size());
-        nodes.push_back({item.node[at(k)], 0, 0});
-      }
-      LocalNode& node = nodes[at(local)];
-      ++node.rows;
-      const int elements = item.corners - (layout.elements_per_item == 1 ? 7 : 3);
-      for (int j = 0; j < elements; ++j)
-        node.elements += layout.elements_per_item == 1 || (k >= j && k <= j + 3);
-    }
-  auto shared = [&](const LocalNode& n) { return n.elements < valence_[at(n.node)]; };
-  std::sort(nodes.begin(), nodes.end(), [&](const LocalNode& a, const LocalNode& b) {
-    if (shared(a) != shared(b)) return shared(b);
-    return even(a.rows) != even(b.rows) ? even(a.rows) < even(b.rows) : a.node < b.node;
-  });
-  interior = static_cast<int>(
-      std::count_if(nodes.begin(), nodes.end(), [&](const LocalNode& n) { return !shared(n); }));
-  for (std::size_t i = 0; i < nodes.size(); ++i) local_[at(nodes[i].node)] = static_cast<int>(i);
-  return nodes;
-}
-
-void PatchBuilder::write_corners_and_rows(const Layout& layout, std::span<const Item> items,
-                                          std::span<const LocalNode> nodes, std::uint16_t* corner,
-                                          std::uint16_t* row) const {
-  std::vector<std::uint16_t*> next;
-  for (const LocalNode& node : nodes) {
-    next.push_back(row);
-    row += even(node.rows);
-  }
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const int tile = static_cast<int>(i) / width_, lane = static_cast<int>(i) % width_;
-    for (int k = 0; k < layout.corners; ++k) {
-      const int local = local_[at(items[i].node[at(k)])];
-      corner[(tile * layout.corners + k) * width_ + lane] = static_cast<std::uint16_t>(4 * local);
-      const int its_row = (tile * layout.corners + k) * width_ + row_of_lane(lane, width_);
-      if (k < items[i].corners) *next[at(local)]++ = static_cast<std::uint16_t>(16 + 4 * its_row);
-    }
-  }
 }
 
 bool PatchBuilder::same_parameters(std::span<const Item> items) {
@@ -221,31 +155,15 @@ void PatchBuilder::write_elements(const Block& block, const Layout& layout, std:
 
 void PatchBuilder::add_patch(const Block& block, std::span<const Item> items, std::vector<Patch>& patches) {
   const Layout layout = layout_of(block.kind);
-  Patch patch;
-  const std::vector<LocalNode> nodes = sorted_nodes(layout, items, patch.interior_count);
-  patch.tiles = tiles_for(items.size(), width_);
-  patch.node_count = static_cast<int>(nodes.size());
-  patch.slot = slot_count_;
-  slot_count_ += patch.node_count - patch.interior_count;
-  std::vector<SumRun> runs;
-  std::size_t rows = 0;
-  for (int i = 0; i < patch.node_count; ++i) {
-    const auto count = static_cast<std::uint16_t>(even(nodes[at(i)].rows));
-    if (i == patch.interior_count) patch.interior_runs = static_cast<int>(runs.size());
-    if (i == 0 || i == patch.interior_count || runs.back().rows != count) runs.push_back({0, count});
-    ++runs.back().nodes;
-    rows += count;
-  }
-  patch.runs = static_cast<int>(runs.size());
-  if (patch.interior_count == patch.node_count) patch.interior_runs = patch.runs;
-
+  const PatchOutline outline = lists_.outline(layout, items);
+  Patch patch = outline.patch;
   const bool uniform = same_parameters(items);
   const int places = patch.tiles * layout.elements_per_item, parameter_count = block.law->parameter_count;
   const auto W = at(width_);
   patch.parameter_stride = uniform ? 0 : parameter_count * width_;
-  Plan plan;
-  const std::size_t node = plan.add<int>(nodes.size()), run = plan.add<SumRun>(runs.size()),
-                    row = plan.add<std::uint16_t>(rows),
+  MemoryPlan plan;
+  const std::size_t node = plan.add<int>(outline.nodes.size()), run = plan.add<SumRun>(outline.runs.size()),
+                    row = plan.add<std::uint16_t>(outline.rows),
                     corner = plan.add<std::uint16_t>(at(patch.tiles * layout.corners) * W),
                     element = plan.add<int>(block.terms() > 0 ? at(places) * W : 0),
                     parameters = plan.add<float>(at(uniform ? 1 : places) * at(parameter_count) * W),
@@ -260,11 +178,8 @@ void PatchBuilder::add_patch(const Block& block, std::span<const Item> items, st
                       reinterpret_cast<float*>(memory + parameters),
                       reinterpret_cast<float*>(memory + constants)};
   patch.history = reinterpret_cast<float*>(memory + history);
-  std::transform(nodes.begin(), nodes.end(), its_nodes, [](const LocalNode& n) { return n.node; });
-  std::copy(runs.begin(), runs.end(), its_runs);
-  write_corners_and_rows(layout, items, nodes, its_corners, its_rows);
+  lists_.write(outline, layout, items, {its_nodes, its_runs, its_rows, its_corners});
   write_elements(block, layout, items, uniform, patch, arrays);
-  for (const LocalNode& n : nodes) local_[at(n.node)] = -1;
   patch.node = its_nodes;
   patch.run = its_runs;
   patch.row = its_rows;
@@ -273,8 +188,6 @@ void PatchBuilder::add_patch(const Block& block, std::span<const Item> items, st
   patch.parameters = arrays.parameters;
   patch.constants = arrays.constants;
   patches.push_back(patch);
-  largest_node_count_ = std::max(largest_node_count_, patch.node_count);
-  largest_row_count_ = std::max(largest_row_count_, patch.tiles * layout.corners * width_);
 }
 
 }  // namespace glisson::patches

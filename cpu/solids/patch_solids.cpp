@@ -14,20 +14,14 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// What fits into it need not be fetched ahead [bytes]; today's cores have 0.5 to 2 MiB.
-constexpr std::size_t second_cache = std::size_t{1} << 20;
-
 /// Backend memory as rows of floats.
 const float* floats(const Vec4<float>* rows) { return reinterpret_cast<const float*>(rows); }
 float* floats(Vec4<float>* rows) { return reinterpret_cast<float*>(rows); }
 
 std::vector<PronyCoefficients<float>> coefficients(const Block& block, double dt) {
-  std::vector<PronyCoefficients<float>> result;
-  for (const auto* terms : {&block.isochoric, &block.volumetric})
-    for (const PronyTerm& term : *terms) {
-      const auto exact = prony_coefficients(term.alpha, term.tau, dt);
-      result.push_back({static_cast<float>(exact.alpha), static_cast<float>(exact.rate)});
-    }
+  auto result = prony_terms(block.isochoric, dt);
+  const auto volumetric = prony_terms(block.volumetric, dt);
+  result.insert(result.end(), volumetric.begin(), volumetric.end());
   return result;
 }
 
@@ -41,9 +35,9 @@ PatchSolids::PatchSolids(Threads& threads, const Model& model, const Numbering& 
     ElementParameters parameters(model);
     PatchBuilder builder(model, numbering, parameters, width, arena_);
     make_blocks(model, numbering, parameters, builder);
-    local_floats_ = (4 * builder.largest_node_count() + 15) / 16 * 16;
-    scratch_floats_ = local_floats_ + 16 + (4 * builder.largest_row_count() + 15) / 16 * 16 + 1024;
-    find_shared_nodes(node_count, builder.slot_count());
+    local_floats_ = (4 * builder.lists().largest_node_count() + 15) / 16 * 16;
+    scratch_floats_ = local_floats_ + 16 + (4 * builder.lists().largest_row_count() + 15) / 16 * 16 + 1024;
+    shared_ = SharedNodes(patches_, node_count, builder.lists().slot_count());
   }
   const auto team = at(threads_.thread_count()), slots = shared_.slots.size();
   scratch_ = threads_.allocate<float>(team * at(scratch_floats_));
@@ -107,29 +101,6 @@ void PatchSolids::make_blocks(const Model& model, const Numbering& numbering,
   }
 }
 
-void PatchSolids::find_shared_nodes(int node_count, int slot_count) {
-  std::vector<int> parts(at(node_count));
-  auto over_slots = [&](auto&& visit) {
-    for (const Patch& patch : patches_)
-      for (int i = patch.interior_count, slot = patch.slot; i < patch.node_count; ++i, ++slot)
-        visit(patch.node[i], slot);
-  };
-  over_slots([&](int node, int) { ++parts[at(node)]; });
-  const auto count = std::count_if(parts.begin(), parts.end(), [](int p) { return p > 0; });
-  shared_.node.reserve(static_cast<std::size_t>(count));
-  shared_.begin.reserve(static_cast<std::size_t>(count) + 1);
-  shared_.slots.resize(at(slot_count));
-  int begin = 0;
-  for (int n = 0; n < node_count; ++n) {
-    if (parts[at(n)] == 0) continue;
-    shared_.node.push_back(n);
-    shared_.begin.push_back(begin);
-    begin += std::exchange(parts[at(n)], begin);
-  }
-  shared_.begin.push_back(begin);
-  over_slots([&](int node, int slot) { shared_.slots[at(parts[at(node)]++)] = slot; });
-}
-
 /// 1 / (4 sum of V_e) around the nodes of T4ANP elements; 0 elsewhere.
 void PatchSolids::find_volumes(const Model& model, const Numbering& numbering) {
   const auto node_count = at(model.mesh.node_count());
@@ -187,7 +158,7 @@ void PatchSolids::average_pressures(Pass pass, int thread) {
     kernels_.sum_pressures(patches_[at(p)], pass);
   }
   threads_.team().barrier();
-  const Share share = share_of(static_cast<int>(shared_.node.size()), thread, threads_.thread_count());
+  const Share share = share_of(shared_.count(), thread, threads_.thread_count());
   for (int i = share.first; i < share.last; ++i) {
     float sum = 0;
     for (int k = shared_.begin[at(i)]; k < shared_.begin[at(i) + 1]; ++k)
@@ -196,28 +167,6 @@ void PatchSolids::average_pressures(Pass pass, int thread) {
     pass.pressure[node] = sum * pass.pressure_weight[node];
   }
   threads_.team().barrier();
-}
-
-void PatchSolids::sum_shared_forces(const Pass& pass, int thread) const {
-  constexpr int ahead =
-      32;  // parts lie in several patches: without fetching them ahead each one waits for memory
-  const Share share = share_of(static_cast<int>(shared_.node.size()), thread, threads_.thread_count());
-  const auto* parts = reinterpret_cast<const Vec4<float>*>(pass.slot_force);
-  auto* f = reinterpret_cast<Vec4<float>*>(pass.f);
-  const int *node = shared_.node.data(), *begin = shared_.begin.data(), *slots = shared_.slots.data();
-  const int last_slot = static_cast<int>(shared_.slots.size()) - ahead;
-  for (int i = share.first; i < share.last; ++i) {
-    if (i + ahead / 2 < share.last) __builtin_prefetch(f + node[i + ahead / 2], 1, 3);
-    Vec4<float> sum = f[node[i]];
-    for (int k = begin[i]; k < begin[i + 1]; ++k) {
-      if (k < last_slot) __builtin_prefetch(parts + slots[k + ahead], 0, 3);
-      const Vec4<float> part = parts[slots[k]];
-      sum.x += part.x;
-      sum.y += part.y;
-      sum.z += part.z;
-    }
-    f[node[i]] = sum;
-  }
 }
 
 void PatchSolids::add_forces(const StepView<float>& step) {
@@ -239,7 +188,7 @@ void PatchSolids::add_forces(const StepView<float>& step) {
       kernels_.sum_forces(patches_[at(p)], pass);
     }
     threads_.team().barrier();
-    sum_shared_forces(pass, thread);
+    shared_.sum_forces(pass, share_of(shared_.count(), thread, threads_.thread_count()));
   });
 }
 

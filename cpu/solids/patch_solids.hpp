@@ -5,6 +5,7 @@
 
 #include <glisson/core/solids/solid_forces.hpp>
 #include <glisson/cpu/solids/patch_builder.hpp>
+#include <glisson/cpu/solids/shared_nodes.hpp>
 #include <glisson/cpu/threads.hpp>
 
 namespace glisson::patches {
@@ -21,12 +22,6 @@ class PatchSolids final : public SolidForces<float> {
   std::size_t memory_bytes() const override;
 
  private:
-  /// A node that several patches touch and the places of its parts in the slot arrays.
-  struct SharedNodes {
-    std::vector<int> node;   ///< internal number                 [count]
-    std::vector<int> begin;  ///< first of its slots in `slots`   [count + 1]
-    std::vector<int> slots;  ///< in the order of the patches     [slot count]
-  };
   /// What a block needs in a step of size dt.
   struct BlockPass {
     PatchKernel forces;
@@ -35,7 +30,6 @@ class PatchSolids final : public SolidForces<float> {
   };
   void make_blocks(const Model& model, const Numbering& numbering, const ElementParameters& parameters,
                    PatchBuilder& builder);
-  void find_shared_nodes(int node_count, int slot_count);
   void find_volumes(const Model& model, const Numbering& numbering);
   void keep_history_order(const Model& model);
   const LawTable& law_named(const std::string& name) const;
@@ -44,7 +38,6 @@ class PatchSolids final : public SolidForces<float> {
   void for_block(Pass& pass, const Block& block, const BlockPass& block_pass) const;
   void load(const Block& block, const Patch& patch, const Pass& pass) const;
   void average_pressures(Pass pass, int thread);
-  void sum_shared_forces(const Pass& pass, int thread) const;
   /// The value of `energy` summed over patches in their order.
   template <class Energy>
   double sum_energy(const StepView<float>& step, Energy&& energy);

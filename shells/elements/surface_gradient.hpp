@@ -1,4 +1,4 @@
-// Displacement gradient on a surface, its strain, and the nodal forces that work on it.
+// Displacement gradient on a surface, its strain, and the forces that work on it.
 #pragma once
 
 #include <glisson/core/numbers/functions.hpp>
@@ -6,11 +6,12 @@
 
 namespace glisson::shells {
 
-/// Unit tangents t of the rest surface and the rest gradients of N shape functions along them.
-template <class R, int N>
+/// Where the position is linear in two differences of nodes, such as the sides of a triangle: unit tangents t
+/// of the rest surface and the gradient of the differences along them, dx/ds_k = g[0][k] p + g[1][k] q.
+template <class R>
 struct SurfacePoint {
   Vec3<R> t[2];  ///< [-]
-  R dN[N][2];    ///< [1/m]
+  R g[2][2];     ///< [1/m]
 };
 
 /// du/ds along both tangents.
@@ -19,50 +20,50 @@ struct SurfaceGradient {
   Vec3<R> h[2];
 };
 
-template <class R, int N>
-GLISSON_HD SurfaceGradient<R> surface_gradient(const SurfacePoint<R, N>& p, const Vec3<R> (&u)[N]) {
-  SurfaceGradient<R> g;
-  for (int k = 0; k < 2; ++k)
-    for (int a = 1; a < N; ++a) g.h[k] = g.h[k] + p.dN[a][k] * (u[a] - u[0]);
-  return g;
+/// p, q: the differences of the displacement.
+template <class R>
+GLISSON_HD_INLINE SurfaceGradient<R> surface_gradient(const R (&g)[2][2], const Vec3<R>& p,
+                                                      const Vec3<R>& q) {
+  return {{g[0][0] * p + g[1][0] * q, g[0][1] * p + g[1][1] * q}};
 }
 
 /// c = C - I from t and du/ds: nothing nearly equal is subtracted.
 template <class R>
-GLISSON_HD Plane<R> strain(const Vec3<R> (&t)[2], const SurfaceGradient<R>& g) {
+GLISSON_HD_INLINE Plane<R> strain(const Vec3<R> (&t)[2], const SurfaceGradient<R>& g) {
   const auto& h = g.h;
   return {R(2) * dot(t[0], h[0]) + dot(h[0], h[0]), R(2) * dot(t[1], h[1]) + dot(h[1], h[1]),
           dot(t[0], h[1]) + dot(t[1], h[0]) + dot(h[0], h[1])};
 }
 
-/// f_a -= weight S_kl F_k dN_a,l, F = t + h.
-template <class R, int N>
-GLISSON_HD void subtract_stress(const SurfacePoint<R, N>& p, const SurfaceGradient<R>& g, const Plane<R>& S,
-                                const R& weight, Vec3<R> (&f)[N]) {
-  const Vec3<R> F0 = p.t[0] + g.h[0], F1 = p.t[1] + g.h[1];
-  const Vec3<R> P0 = (weight * S.xx) * F0 + (weight * S.xy) * F1;
-  const Vec3<R> P1 = (weight * S.xy) * F0 + (weight * S.yy) * F1;
-  for (int a = 0; a < N; ++a) f[a] = f[a] - (p.dN[a][0] * P0 + p.dN[a][1] * P1);
+/// What works on dx/ds_k: S_kl F_l.
+template <class R>
+GLISSON_HD_INLINE void first_pk(const Plane<R>& S, const Vec3<R> (&F)[2], Vec3<R> (&P)[2]) {
+  P[0] = S.xx * F[0] + S.xy * F[1];
+  P[1] = S.xy * F[0] + S.yy * F[1];
+}
+/// What works on the differences p and q.
+template <class R>
+GLISSON_HD_INLINE void on_differences(const R (&g)[2][2], const Vec3<R> (&P)[2], Vec3<R>& on_p,
+                                      Vec3<R>& on_q) {
+  on_p = g[0][0] * P[0] + g[0][1] * P[1];
+  on_q = g[1][0] * P[0] + g[1][1] * P[1];
 }
 
 inline Vec3<double> unit(const Vec3<double>& v) { return (1 / ::sqrt(dot(v, v))) * v; }
 
-/// The point from the rest tangents along two parameters and the shape functions' derivatives by them; the
-/// first axis is `along`, projected.
-template <int N>
-SurfacePoint<double, N> surface_point(const Vec3<double>& X_xi, const Vec3<double>& X_eta,
-                                      const double (&dN)[N][2], const Vec3<double>& along) {
-  SurfacePoint<double, N> p{};
-  const auto n = unit(cross(X_xi, X_eta));
-  p.t[0] = unit(along - dot(along, n) * n);
-  p.t[1] = cross(n, p.t[0]);
-  const double a = dot(X_xi, p.t[0]), b = dot(X_xi, p.t[1]), c = dot(X_eta, p.t[0]), d = dot(X_eta, p.t[1]);
+/// The point from the differences of the rest positions; the first axis is `along`, projected.
+inline SurfacePoint<double> surface_point(const Vec3<double>& X_p, const Vec3<double>& X_q,
+                                          const Vec3<double>& along) {
+  SurfacePoint<double> point{};
+  const auto n = unit(cross(X_p, X_q));
+  point.t[0] = unit(along - dot(along, n) * n);
+  point.t[1] = cross(n, point.t[0]);
+  const double a = dot(X_p, point.t[0]), b = dot(X_p, point.t[1]), c = dot(X_q, point.t[0]),
+               d = dot(X_q, point.t[1]);
   const double det = a * d - b * c;
-  for (int k = 0; k < N; ++k) {
-    p.dN[k][0] = (d * dN[k][0] - b * dN[k][1]) / det;
-    p.dN[k][1] = (a * dN[k][1] - c * dN[k][0]) / det;
-  }
-  return p;
+  point.g[0][0] = d / det, point.g[0][1] = -c / det;
+  point.g[1][0] = -b / det, point.g[1][1] = a / det;
+  return point;
 }
 
 }  // namespace glisson::shells

@@ -20,9 +20,9 @@ std::vector<std::array<int, 4>> tetrahedra_of_box(int cells) {
 }
 
 /// Every tetrahedron once, and in its place with its own nodes.
-void check(const std::vector<std::array<int, 4>>& tetrahedra, const std::vector<Strip>& strips) {
+void check(const std::vector<std::array<int, 4>>& tetrahedra, const std::vector<Strip<4>>& strips) {
   std::vector<int> seen(tetrahedra.size());
-  for (const Strip& strip : strips)
+  for (const Strip<4>& strip : strips)
     for (std::size_t j = 0; j < 3; ++j) {
       if (strip.element[j] < 0) continue;
       const auto e = static_cast<std::size_t>(strip.element[j]);
@@ -36,17 +36,17 @@ void check(const std::vector<std::array<int, 4>>& tetrahedra, const std::vector<
 
 TEST(Strips, HoldEveryTetrahedronOnceAndLeaveFewLanesEmpty) {
   const auto tetrahedra = tetrahedra_of_box(5);
-  const auto strips = build_strips(tetrahedra);
+  const auto strips = build_strips<4>(tetrahedra);
   check(tetrahedra, strips);
   EXPECT_GT(double(tetrahedra.size()) / double(3 * strips.size()), 0.95);
 }
 
 TEST(Strips, WorkWithoutNeighboursAndWithRepeatedTetrahedra) {
   const std::vector<std::array<int, 4>> apart{{0, 1, 2, 3}, {4, 5, 6, 7}};
-  check(apart, build_strips(apart));
+  check(apart, build_strips<4>(apart));
   const std::vector<std::array<int, 4>> twice{{0, 1, 2, 3}, {0, 1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3, 5}};
-  check(twice, build_strips(twice));
-  EXPECT_TRUE(build_strips({}).empty());
+  check(twice, build_strips<4>(twice));
+  EXPECT_TRUE(build_strips<4>({}).empty());
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void triangle_forces(const shells::HostShells& block, std::size_t k, const std::
     const auto stress = [&](const shells::Plane<R>& c) {
       return block.section->wrinkling ? shells::tension_field_stress(law, c) : law.second_pk(c);
     };
-    E::forces(shells::narrowed<R>(constants), ue, stress, fe);
+    E::forces(shells::narrowed<R, E::template Constants>(constants), ue, stress, fe);
     f.assign(fe, fe + E::node_count);
   };
   for_each_type(shells::MembraneLaws<R>{}, [&]<class L>() {
