@@ -57,8 +57,8 @@ double enclosed(const std::vector<std::array<int, 3>>& triangles, const Position
   return volume;
 }
 
-/// A soft pump: its pressure falls with the volume, p = stiffness (V_target - V), steeper than that of the
-/// balloon, so that there is one stable state for each target.
+/// A soft pump: its pressure falls with the volume, p = stiffness (V_target - V), six times steeper than that
+/// of the balloon, so that there is one stable state for each target.
 class Pump final : public ForceProvider<double> {
  public:
   /// rest, target: volume at rest and what is to be pumped in [m^3]; stiffness [Pa/m^3]
@@ -96,7 +96,7 @@ struct State {
 
 State inflate(const Model& model, double stretch, const Case& c) {
   const auto X = [&](int n) { return model.mesh.X[static_cast<std::size_t>(n)]; };
-  const double V0 = enclosed(model.mesh.triangles, X), stiffness = 2 * mu * H / R0 / V0;
+  const double V0 = enclosed(model.mesh.triangles, X), stiffness = 0.4 * mu * H / R0 / V0;
   // a pump a little further than the volume wanted, by the pressure of the closed form
   const double p = 2 * (1 / stretch - std::pow(stretch, -7)) * mu * H / R0;
   const double target = V0 * (std::pow(stretch, 3) - 1) + p / stiffness;
