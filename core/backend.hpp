@@ -37,6 +37,14 @@ constexpr int cost_of_body() {
     return 1;
 }
 
+/// A body over a list of nodes in ascending order says which node entry i stands for, and how many nodes
+/// there are: a backend can then leave every node to the thread that has it in its cache.
+template <class F>
+concept ListsNodes = requires(const F& body, int i) {
+  { body.node(i) } -> std::convertible_to<int>;
+  { body.node_count } -> std::convertible_to<int>;
+};
+
 /// for_each runs body(0) ... body(n - 1) in any order and returns when they are visible to the next call.
 /// Bodies are trivially copyable, write disjoint places and never see the host.
 template <class B>

@@ -56,4 +56,23 @@ constexpr Share share_of(int n, int thread, int thread_count, int grain = 64) {
   return {cut(thread), cut(thread + 1)};
 }
 
+/// The entries of a list of n that belong to a thread: those whose ascending nodes lie in its share of all
+/// nodes.
+template <class NodeOf>
+constexpr Share listed_share(int n, int thread, int thread_count, int node_count, NodeOf&& node) {
+  auto first_from = [&](int bound) {
+    int first = 0, last = n;
+    while (first < last) {
+      const int middle = first + (last - first) / 2;
+      if (node(middle) < bound)
+        first = middle + 1;
+      else
+        last = middle;
+    }
+    return first;
+  };
+  const Share own = share_of(node_count, thread, thread_count);
+  return {thread == 0 ? 0 : first_from(own.first), thread + 1 == thread_count ? n : first_from(own.last)};
+}
+
 }  // namespace glisson

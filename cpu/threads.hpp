@@ -18,6 +18,9 @@ class Threads : public HostCopies {
  public:
   /// Loops that cost less than so many cheap bodies run on the caller: waking the others would take longer.
   static constexpr int serial_below = 2048;
+  /// Entries of a list of nodes: their rows lie in the caches of all cores, and each that must come from
+  /// another one takes as long as waking the team.
+  static constexpr int serial_nodes_below = 8;
 
   /// threads = 0: as many as this process may use.
   explicit Threads(int threads = 0) : team_(threads) {}
@@ -41,19 +44,28 @@ class Threads : public HostCopies {
   template <class F>
   void for_each(int n, F body) {
     static_assert(std::is_trivially_copyable_v<F>);
-    constexpr int cost = cost_of_body<F>(), grain = std::max(8, 64 / cost);
-    if (n < (serial_below + cost - 1) / cost || thread_count() == 1) {
+    constexpr int cost = cost_of_body<F>(), grain = std::max(1, 64 / cost),
+                  serial = ListsNodes<F> ? serial_nodes_below : (serial_below + cost - 1) / cost;
+    if (n < serial || thread_count() == 1) {
       const detail::FlushToZero flush;
       for (int i = 0; i < n; ++i) body(i);
       return;
     }
     team_.run([this, n, body](int thread) {
-      const Share share = share_of(n, thread, team_.size(), grain);
+      const Share share = share_of_body(n, thread, grain, body);
       for (int i = share.first; i < share.last; ++i) body(i);
     });
   }
 
  private:
+  template <class F>
+  Share share_of_body(int n, int thread, int grain, const F& body) const {
+    if constexpr (ListsNodes<F>)
+      return listed_share(n, thread, team_.size(), body.node_count, [&](int i) { return body.node(i); });
+    else
+      return share_of(n, thread, team_.size(), grain);
+  }
+
   Team team_;
 };
 

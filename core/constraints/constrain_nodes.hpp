@@ -49,8 +49,10 @@ struct ConstrainNodes {
   static constexpr int cost = 10;
   ConstraintView list;
   Vec4<R>*u, *v;  ///< [node_count]
+  int node_count;
   CurveValues displacement, velocity;
 
+  GLISSON_HD int node(int i) const { return list.nodes[i]; }
   GLISSON_HD void operator()(int i) const {
     const int n = list.nodes[i];
     const Vec3<R> p = list.constrain(i, xyz(u[n]), displacement), w = list.constrain(i, xyz(v[n]), velocity);

@@ -17,7 +17,8 @@ template <Backend B, class R>
 class Constraints {
  public:
   Constraints(B& backend, const Model& model, const Numbering& numbering)
-      : Constraints(backend, make_constraint_list(model, numbering)) {}
+      : Constraints(backend, make_constraint_list(model, numbering),
+                    static_cast<int>(numbering.user_of_internal.size())) {}
 
   int count() const { return count_; }
 
@@ -37,7 +38,7 @@ class Constraints {
   void apply(Vec4<R>* u, Vec4<R>* v, double t_next, double dt) {
     if (count_ == 0) return;
     set_targets(t_next, dt);
-    backend_.for_each(count_, ConstrainNodes<R>{view(), u, v, displacements(), rates()});
+    backend_.for_each(count_, ConstrainNodes<R>{view(), u, v, node_count_, displacements(), rates()});
     applied_ = amplitudes_;
   }
 
@@ -63,9 +64,10 @@ class Constraints {
   }
 
  private:
-  Constraints(B& backend, ConstraintList list)
+  Constraints(B& backend, ConstraintList list, int node_count)
       : backend_(backend),
         count_(list.count()),
+        node_count_(node_count),
         curves_(std::move(list.curves)),
         amplitudes_(curves_.size()),
         applied_(curves_.size()),
@@ -104,7 +106,7 @@ class Constraints {
   }
 
   B& backend_;
-  int count_;
+  int count_, node_count_;
   std::vector<LoadCurve> curves_;
   std::vector<double> amplitudes_;  ///< at t_next [-]            [curve_count]
   std::vector<double> applied_;     ///< as applied last [-]      [curve_count]

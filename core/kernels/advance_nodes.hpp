@@ -20,7 +20,9 @@ struct AdvanceNodes {
   Vec4<R>* v;  ///< velocity [m/s], w: 1/mass [1/kg] [node_count]
   Vec4<R>* f;  ///< force [N], w: 0                 [node_count]
   typename Stepper::Rows stepper;
+  int node_count;
 
+  GLISSON_HD int node(int n) const { return n; }
   GLISSON_HD void operator()(int n) const { advance(n, v[n]); }
   /// Returns the new v. All loads come before the stores: the arrays might overlap for all that a compiler
   /// knows.
@@ -40,7 +42,9 @@ template <class R, class Stepper>
 struct AdvanceNodesCompensated {
   AdvanceNodes<R, Stepper> nodes;
   Vec4<R>* carry;  ///< what u still owes [m], w: 0  [node_count]
+  int node_count = nodes.node_count;
 
+  GLISSON_HD int node(int n) const { return n; }
   GLISSON_HD void operator()(int n) const {
     const Vec4<R> before = nodes.u[n], owed = carry[n];
     const Vec4<R> v_new = nodes.stepper.velocity(nodes.v[n], nodes.f[n]);
@@ -58,7 +62,9 @@ struct PredictNodes {
   const Vec4<R>*u, *v, *f;
   Vec4<R>* u_predicted;  ///< [m]  [node_count]
   Stepper stepper;
+  int node_count;
 
+  GLISSON_HD int node(int n) const { return n; }
   GLISSON_HD void operator()(int n) const {
     const Vec3<R> w = stepper.velocity(vector_part(v[n]), vector_part(f[n]), v[n].w);
     const R dt = stepper.drift;
@@ -88,6 +94,7 @@ struct AdvanceNodesMonitored {
   double dt;        ///< [s]
   bool first_step;  ///< nothing lies before t = 0
 
+  GLISSON_HD int node(int c) const { return c * chunk; }
   GLISSON_HD void operator()(int c) const {
     const int end = node_count < (c + 1) * chunk ? node_count : (c + 1) * chunk;
     double kinetic = 0, before = 0, ahead = 0;
@@ -122,6 +129,7 @@ struct AdvanceNodesDamped {
   double damping;  ///< [1/s]
   double dt;       ///< [s]
 
+  GLISSON_HD int node(int c) const { return c * chunk; }
   GLISSON_HD void operator()(int c) const {
     const int end = node_count < (c + 1) * chunk ? node_count : (c + 1) * chunk;
     Vec4<R> sum{};

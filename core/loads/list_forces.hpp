@@ -21,8 +21,9 @@ constexpr int entries_per_sum = 16;  ///< small, so that short lists still make 
 template <class R, class Rule>
 struct AddForces {
   Rule rule;
-  const int* nodes;  ///< internal node of an entry [-]  [entry_count]
-  Vec4<R>* f;        ///< force [N]                      [node_count]
+  const int* nodes;  ///< internal node of an entry, ascending [-]  [entry_count]
+  Vec4<R>* f;        ///< force [N]                                 [node_count]
+  int node_count;
 
   GLISSON_HD int node(int i) const { return nodes ? nodes[i] : i; }
   GLISSON_HD Vec3<R> add(int i) const {
@@ -45,7 +46,9 @@ struct AddForcesWithWork {
   int entry_count;
   double half_dt;  ///< half of the step that ended now, 0 if none did [s]
   R share;         ///< share of this step's force that the next step counts [-]
+  int node_count = forces.node_count;
 
+  GLISSON_HD int node(int c) const { return forces.node(c * chunk); }
   GLISSON_HD void operator()(int c) const {
     const int end = entry_count < (c + 1) * chunk ? entry_count : (c + 1) * chunk;
     double sum = 0;
@@ -86,7 +89,7 @@ class ListWork {
   template <class Rule>
   void run(const StepView<R>& step, const int* nodes, const Rule& rule) {
     if (entry_count_ == 0) return;
-    const AddForces<R, Rule> forces{rule, nodes, step.f};
+    const AddForces<R, Rule> forces{rule, nodes, step.f, step.node_count};
     if (counts(step))
       backend_.for_each(chunk_count_, AddForcesWithWork<R, Rule>{forces, step.v, chunks_.get(), entry_count_,
                                                                  half_dt(), R(share(step))});

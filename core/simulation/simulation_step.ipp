@@ -74,8 +74,8 @@ template <Backend B, class R>
 void Simulation<B, R>::predict_and_touch(StepView<R>& view) {
   if (!u_predicted_) return;
   with_stepper([&]<class S>(const S& stepper) {
-    backend_.for_each(nodes_.count(),
-                      PredictNodes<R, S>{view.u, view.v, view.f, u_predicted_.get(), stepper});
+    backend_.for_each(nodes_.count(), PredictNodes<R, S>{view.u, view.v, view.f, u_predicted_.get(), stepper,
+                                                         nodes_.count()});
   });
   view.u_predicted = u_predicted_.get();
   for (auto& body : parts_.bodies) body->add_forces(view);
@@ -84,7 +84,7 @@ void Simulation<B, R>::predict_and_touch(StepView<R>& view) {
 template <Backend B, class R>
 void Simulation<B, R>::advance(bool energies) {
   with_stepper([&]<class S>(const S& stepper) {
-    const AdvanceNodes<R, S> body{nodes_.u(), nodes_.v(), nodes_.f(), stepper.rows()};
+    const AdvanceNodes<R, S> body{nodes_.u(), nodes_.v(), nodes_.f(), stepper.rows(), nodes_.count()};
     if (relaxation_)
       backend_.for_each(nodes_.count(), AdvanceNodesCompensated<R, S>{body, relaxation_->carry()});
     else if (energies)

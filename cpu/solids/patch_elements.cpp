@@ -145,7 +145,7 @@ void PatchElements::add_forces(const StepView<float>& step) {
       kernels_.sum_forces(patches_[at(p)], pass);
     }
     threads_.team().barrier();
-    shared_.sum_forces(pass, share_of(shared_.count(), thread, threads_.thread_count()));
+    shared_.sum_forces(pass, shared_.share(thread, threads_.thread_count()));
   });
 }
 

@@ -158,7 +158,7 @@ void PatchSolids::average_pressures(Pass pass, int thread) {
     kernels_.sum_pressures(patches_[at(p)], pass);
   }
   threads_.team().barrier();
-  const Share share = share_of(shared_.count(), thread, threads_.thread_count());
+  const Share share = shared_.share(thread, threads_.thread_count());
   for (int i = share.first; i < share.last; ++i) {
     float sum = 0;
     for (int k = shared_.begin[at(i)]; k < shared_.begin[at(i) + 1]; ++k)
@@ -188,7 +188,7 @@ void PatchSolids::add_forces(const StepView<float>& step) {
       kernels_.sum_forces(patches_[at(p)], pass);
     }
     threads_.team().barrier();
-    shared_.sum_forces(pass, share_of(shared_.count(), thread, threads_.thread_count()));
+    shared_.sum_forces(pass, shared_.share(thread, threads_.thread_count()));
   });
 }
 

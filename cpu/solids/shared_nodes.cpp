@@ -12,7 +12,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-SharedNodes::SharedNodes(std::span<const Patch> patches, int node_count, int slot_count) {
+SharedNodes::SharedNodes(std::span<const Patch> patches, int nodes, int slot_count) : node_count(nodes) {
   std::vector<int> parts(at(node_count));
   auto over_slots = [&](auto&& visit) {
     for (const Patch& patch : patches)
@@ -33,6 +33,10 @@ SharedNodes::SharedNodes(std::span<const Patch> patches, int node_count, int slo
   }
   begin.push_back(first);
   over_slots([&](int n, int slot) { slots[at(parts[at(n)]++)] = slot; });
+}
+
+Share SharedNodes::share(int thread, int thread_count) const {
+  return listed_share(count(), thread, thread_count, node_count, [&](int i) { return node[at(i)]; });
 }
 
 void SharedNodes::sum_forces(const Pass& pass, const Share& share) const {

@@ -89,8 +89,8 @@ TEST(Steppers, DampedUpdateDissipatesWhatTheMonitoredOneDoes) {
     }
   }
   for (int c = 0; c < chunks; ++c) {
-    const AdvanceNodes<float, Step> a{u[0].data(), v[0].data(), f[0].data(), step.rows()},
-        b{u[1].data(), v[1].data(), f[1].data(), step.rows()};
+    const AdvanceNodes<float, Step> a{u[0].data(), v[0].data(), f[0].data(), step.rows(), count},
+        b{u[1].data(), v[1].data(), f[1].data(), step.rows(), count};
     AdvanceNodesMonitored<float, Step>{a, energies[0].data(), count, 5, 1e-3, false}(c);
     AdvanceNodesDamped<float, Step>{b, energies[1].data(), count, 5, 1e-3}(c);
   }

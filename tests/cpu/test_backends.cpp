@@ -71,6 +71,26 @@ TEST(Threads, SharesCoverEverythingOnce) {
     }
 }
 
+/// Lists of nodes are cut where the loops over all nodes are.
+TEST(Threads, ListsAreCutAtTheNodesOfAThread) {
+  const std::vector<int> nodes{0, 5, 63, 64, 64, 65, 200, 201, 500};
+  for (const int threads : {1, 2, 3, 9}) {
+    int next = 0;
+    for (int t = 0; t < threads; ++t) {
+      const Share own = share_of(501, t, threads);
+      const Share share = listed_share(static_cast<int>(nodes.size()), t, threads, 501,
+                                       [&](int i) { return nodes[static_cast<std::size_t>(i)]; });
+      EXPECT_EQ(share.first, next);
+      for (int i = share.first; i < share.last; ++i) {
+        EXPECT_GE(nodes[static_cast<std::size_t>(i)], own.first);
+        EXPECT_LT(nodes[static_cast<std::size_t>(i)], own.last);
+      }
+      next = share.last;
+    }
+    EXPECT_EQ(next, 9);
+  }
+}
+
 struct Half {
   const float* from;
   float* to;
