@@ -8,6 +8,7 @@
 #include <glisson/cpu/flush_to_zero.hpp>
 #include <glisson/cpu/host_copies.hpp>
 #include <glisson/cpu/memory.hpp>
+#include <glisson/cpu/node_kernels.hpp>
 #include <glisson/cpu/team.hpp>
 
 namespace glisson {
@@ -23,7 +24,8 @@ class Threads : public HostCopies {
   static constexpr int serial_nodes_below = 8;
 
   /// threads = 0: as many as this process may use.
-  explicit Threads(int threads = 0) : team_(threads) {}
+  explicit Threads(int threads = 0, const char* instruction_set = "auto")
+      : team_(threads), node_kernels_(&node_kernels(instruction_set)) {}
 
   Team& team() { return team_; }
   int thread_count() const { return team_.size(); }
@@ -48,12 +50,12 @@ class Threads : public HostCopies {
                   serial = ListsNodes<F> ? serial_nodes_below : (serial_below + cost - 1) / cost;
     if (n < serial || thread_count() == 1) {
       const detail::FlushToZero flush;
-      for (int i = 0; i < n; ++i) body(i);
+      run_body(body, 0, n);
       return;
     }
     team_.run([this, n, body](int thread) {
       const Share share = share_of_body(n, thread, grain, body);
-      for (int i = share.first; i < share.last; ++i) body(i);
+      run_body(body, share.first, share.last);
     });
   }
 
@@ -66,7 +68,16 @@ class Threads : public HostCopies {
       return share_of(n, thread, team_.size(), grain);
   }
 
+  template <class F>
+  void run_body(const F& body, int first, int last) const {
+    if constexpr (requires { node_kernels_->run(body, first, last); })
+      node_kernels_->run(body, first, last);
+    else
+      for (int i = first; i < last; ++i) body(i);
+  }
+
   Team team_;
+  const NodeKernels* node_kernels_;
 };
 
 static_assert(Backend<Threads>);

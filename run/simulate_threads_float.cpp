@@ -18,7 +18,7 @@ std::unique_ptr<AnySimulation> simulate_threads_float(const Model& model, int th
                          std::unique_ptr<SolidForces<float>> solids) {
     return shells::make_packed_shells(backend, its_model, numbering, std::move(solids), set);
   };
-  return assemble<Threads, float>(model, std::make_unique<Threads>(threads), device, make_solids,
+  return assemble<Threads, float>(model, std::make_unique<Threads>(threads, set.c_str()), device, make_solids,
                                   make_shells);
 }
 

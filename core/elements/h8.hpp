@@ -15,16 +15,18 @@ namespace glisson {
 /// otherwise: the energy k |q|^2 / 2 does not see rotations, although k and gamma are those of the rest
 /// state. Formulation h8 takes the mean gradient and the exact volume: it passes the patch test on any
 /// hexahedron. h8_fixed takes the gradient at the centre and 8 det J (eta = 0), as NiftySim does; both are
-/// the same for parallelepipeds.
+/// the same for parallelepipeds. The exact volume is a polynomial in the modes of X without that of xi eta
+/// zeta (every product with it integrates to zero or has two equal factors), and B is its derivative: eta_3 =
+/// 0 for both gradients.
 struct H8 {
   static constexpr int node_count = 8;
   static constexpr int point_count = 1;
-  static constexpr int constant_count = 35;
+  static constexpr int constant_count = 32;
 
   template <class R>
   struct Constants {
     R beta[3][3];  ///< [1/m]
-    R eta[4][3];   ///< [1/m]
+    R eta[3][3];   ///< [1/m]; eta_3 = 0
     R chi[4][3];   ///< [m]
     R volume;      ///< [m^3]
     R hourglass;   ///< k [N/m]
@@ -37,7 +39,7 @@ struct H8 {
     for (int j = 0; j < 3; ++j) {
       auto column = [&](auto get) {
         R sum = get(d[0]) * c.beta[0][j] + get(d[1]) * c.beta[1][j] + get(d[2]) * c.beta[2][j];
-        for (int m = 0; m < 4; ++m) sum = sum + get(h[m]) * c.eta[m][j];
+        for (int m = 0; m < 3; ++m) sum = sum + get(h[m]) * c.eta[m][j];
         return sum;
       };
       H.m[0][j] = column([](const Vec3<R>& a) { return a.x; });
@@ -61,11 +63,17 @@ struct H8 {
                                 Vec3<R> (&f)[8]) {
     Vec3<R> d[3], h[4];
     hexahedron_modes(u, d, h);
+    mode_forces(c, stress, d, h);
+    hexahedron_nodes(d, h, f);
+  }
+
+  /// The same between modes: d, h of the displacement become those of the forces. The hourglass part does not
+  /// wait for the stress.
+  template <class R, class Stress>
+  GLISSON_HD static void mode_forces(const Constants<R>& c, const Stress& stress, Vec3<R> (&d)[3],
+                                     Vec3<R> (&h)[4]) {
     const Mat3<R> H = gradient_of_modes(c, d, h);
-    const Mat3<R> P = stress(H, 0);
-    Mat3<R> T;  // -V P + k sum_m q_m chi_m
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) T.m[i][j] = R(0) - c.volume * P.m[i][j];
+    Mat3<R> T{};  // k sum_m q_m chi_m - V P
     for (int m = 0; m < 4; ++m) {
       const Vec3<R> q = c.hourglass * hourglass_mode(c, H, h[m], m);
       for (int j = 0; j < 3; ++j) {
@@ -75,13 +83,15 @@ struct H8 {
       }
       h[m] = R(-1) * q;
     }
+    const Mat3<R> P = stress(H, 0);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) T.m[i][j] = T.m[i][j] - c.volume * P.m[i][j];
     auto along = [&](const R(&w)[3]) {
       auto row = [&](int i) { return T.m[i][0] * w[0] + T.m[i][1] * w[1] + T.m[i][2] * w[2]; };
       return Vec3<R>{row(0), row(1), row(2)};
     };
     for (int i = 0; i < 3; ++i) d[i] = along(c.beta[i]);
-    for (int m = 0; m < 4; ++m) h[m] = h[m] + along(c.eta[m]);
-    hexahedron_nodes(d, h, f);
+    for (int m = 0; m < 3; ++m) h[m] = h[m] + along(c.eta[m]);
   }
 
   template <class R, class Visit>
@@ -123,7 +133,7 @@ struct H8 {
       double B[8];
       for (int a = 0; a < 8; ++a) B[a] = gradient.B[a][j], squares += B[a] * B[a];
       for (int i = 0; i < 3; ++i) c.beta[i][j] = hexahedron_mode(i, B) / 8;
-      for (int m = 0; m < 4; ++m) c.eta[m][j] = hexahedron_mode(3 + m, B) / 8;
+      for (int m = 0; m < 3; ++m) c.eta[m][j] = hexahedron_mode(3 + m, B) / 8;
       double Xj[8];
       for (int a = 0; a < 8; ++a) Xj[a] = j == 0 ? X[a].x : j == 1 ? X[a].y : X[a].z;
       for (int m = 0; m < 4; ++m) c.chi[m][j] = hexahedron_mode(3 + m, Xj);

@@ -59,16 +59,22 @@ struct H8Parallelepiped {
                                 Vec3<R> (&f)[8]) {
     Vec3<R> d[3], h[4];
     hexahedron_modes(u, d, h);
+    mode_forces(c, stress, d, h);
+    hexahedron_nodes(d, h, f);
+  }
+
+  template <class R, class Stress>
+  GLISSON_HD static void mode_forces(const Constants<R>& c, const Stress& stress, Vec3<R> (&d)[3],
+                                     Vec3<R> (&h)[4]) {
+    const R k = R(0) - c.hourglass;
+    for (int m = 0; m < 4; ++m) h[m] = k * h[m];
     const Mat3<R> P = stress(gradient_of_modes(c, d), 0);
     const R weight = R(0) - c.volume;
     for (int i = 0; i < 3; ++i) {
       const R w[3] = {weight * c.beta[i][0], weight * c.beta[i][1], weight * c.beta[i][2]};
-      auto row = [&](int k) { return P.m[k][0] * w[0] + P.m[k][1] * w[1] + P.m[k][2] * w[2]; };
+      auto row = [&](int r) { return P.m[r][0] * w[0] + P.m[r][1] * w[1] + P.m[r][2] * w[2]; };
       d[i] = {row(0), row(1), row(2)};
     }
-    const R k = R(0) - c.hourglass;
-    for (int m = 0; m < 4; ++m) h[m] = k * h[m];
-    hexahedron_nodes(d, h, f);
   }
 
   template <class R, class Visit>

@@ -41,28 +41,52 @@ inline double hexahedron_mode(int mode, const double (&values)[8]) {
   return sum;
 }
 
+/// Modes of the corners 0 .. 3 or 4 .. 7 of a hexahedron: sum, xi, eta, xi eta.
+template <class R>
+struct FaceModes {
+  Vec3<R> sum, x, y, xy;
+};
+
+template <class R>
+GLISSON_HD FaceModes<R> face_modes(const Vec3<R>* u) {
+  const Vec3<R> s0 = u[0] + u[1], s1 = u[3] + u[2], d0 = u[1] - u[0], d1 = u[2] - u[3];
+  return {s0 + s1, d0 + d1, s1 - s0, d1 - d0};
+}
+
+/// The transpose: nodal vectors of a face.
+template <class R>
+GLISSON_HD void face_nodes(const FaceModes<R>& m, Vec3<R>* f) {
+  const Vec3<R> a0 = m.sum - m.y, a1 = m.sum + m.y, b0 = m.x - m.xy, b1 = m.x + m.xy;
+  f[0] = a0 - b0, f[1] = a0 + b0, f[2] = a1 + b1, f[3] = a1 - b1;
+}
+
 /// Walsh-Hadamard transform of nodal vectors: d = linear modes, h = hourglass modes (eta zeta, xi zeta, xi
 /// eta, xi eta zeta).
 template <class R>
+GLISSON_HD void hexahedron_modes(const FaceModes<R>& below, const FaceModes<R>& above, Vec3<R> (&d)[3],
+                                 Vec3<R> (&h)[4]) {
+  d[0] = below.x + above.x, d[1] = below.y + above.y, d[2] = above.sum - below.sum;
+  h[0] = above.y - below.y, h[1] = above.x - below.x;
+  h[2] = below.xy + above.xy, h[3] = above.xy - below.xy;
+}
+template <class R>
 GLISSON_HD void hexahedron_modes(const Vec3<R> (&u)[8], Vec3<R> (&d)[3], Vec3<R> (&h)[4]) {
-  const Vec3<R> s0 = u[0] + u[1], s1 = u[3] + u[2], s2 = u[4] + u[5], s3 = u[7] + u[6];
-  const Vec3<R> d0 = u[1] - u[0], d1 = u[2] - u[3], d2 = u[5] - u[4], d3 = u[6] - u[7];
-  const Vec3<R> ss0 = s0 + s1, ds0 = s1 - s0, sd0 = d0 + d1, dd0 = d1 - d0;
-  const Vec3<R> ss1 = s2 + s3, ds1 = s3 - s2, sd1 = d2 + d3, dd1 = d3 - d2;
-  d[0] = sd0 + sd1, d[1] = ds0 + ds1, d[2] = ss1 - ss0;
-  h[0] = ds1 - ds0, h[1] = sd1 - sd0, h[2] = dd0 + dd1, h[3] = dd1 - dd0;
+  hexahedron_modes(face_modes(u), face_modes(u + 4), d, h);
 }
 
-/// The transpose: nodal vectors from mode amplitudes (no translation).
+/// The transpose, without translation: what mode amplitudes mean for the faces.
+template <class R>
+GLISSON_HD FaceModes<R> modes_below(const Vec3<R> (&d)[3], const Vec3<R> (&h)[4]) {
+  return {R(-1) * d[2], d[0] - h[1], d[1] - h[0], h[2] - h[3]};
+}
+template <class R>
+GLISSON_HD FaceModes<R> modes_above(const Vec3<R> (&d)[3], const Vec3<R> (&h)[4]) {
+  return {d[2], d[0] + h[1], d[1] + h[0], h[2] + h[3]};
+}
 template <class R>
 GLISSON_HD void hexahedron_nodes(const Vec3<R> (&d)[3], const Vec3<R> (&h)[4], Vec3<R> (&f)[8]) {
-  const Vec3<R> x0 = d[0] - h[1], x1 = d[0] + h[1], y0 = d[1] - h[0], y1 = d[1] + h[0];
-  const Vec3<R> xy0 = h[2] - h[3], xy1 = h[2] + h[3];
-  const Vec3<R> zero{R(0), R(0), R(0)};
-  const Vec3<R> a0 = zero - d[2] - y0, a1 = y0 - d[2], b0 = x0 - xy0, b1 = x0 + xy0;
-  f[0] = a0 - b0, f[1] = a0 + b0, f[2] = a1 + b1, f[3] = a1 - b1;
-  const Vec3<R> c0 = d[2] - y1, c1 = d[2] + y1, e0 = x1 - xy1, e1 = x1 + xy1;
-  f[4] = c0 - e0, f[5] = c0 + e0, f[6] = c1 + e1, f[7] = c1 - e1;
+  face_nodes(modes_below(d, h), f);
+  face_nodes(modes_above(d, h), f + 4);
 }
 
 struct HexahedronGradient {

@@ -39,12 +39,11 @@ GLISSON_INLINE void load_constants(const LaneBlock& block, int e, H8::Constants<
   const float* from = block.constants + static_cast<std::size_t>(e) * H8::constant_count;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) c.beta[i][j] = Pack<W>(from[3 * i + j]);
+  for (int m = 0; m < 3; ++m)
+    for (int j = 0; j < 3; ++j) c.eta[m][j] = Pack<W>(from[9 + 3 * m + j]);
   for (int m = 0; m < 4; ++m)
-    for (int j = 0; j < 3; ++j) {
-      c.eta[m][j] = Pack<W>(from[9 + 3 * m + j]);
-      c.chi[m][j] = Pack<W>(from[21 + 3 * m + j]);
-    }
-  c.volume = Pack<W>(from[33]);
+    for (int j = 0; j < 3; ++j) c.chi[m][j] = Pack<W>(from[18 + 3 * m + j]);
+  c.volume = Pack<W>(from[30]);
   c.hourglass = Pack<W>::load(block.hourglass + static_cast<std::size_t>(e) * W);
 }
 template <int W>

@@ -1,6 +1,7 @@
 // The table of kernels that work with every law, for one width.
 #pragma once
 
+#include <glisson/cpu/simd/advance_rows.hpp>
 #include <glisson/cpu/solids/hexahedra.hpp>
 #include <glisson/cpu/solids/kernel_table.hpp>
 #include <glisson/cpu/solids/node_sums.hpp>
@@ -34,6 +35,7 @@ constexpr FormulationTable formulation_kernels() {
   k.strain_energy[5] = hexahedron_energy<W, H8Parallelepiped>;
   k.hourglass_energy[2] = k.hourglass_energy[3] = hexahedron_hourglass_energy<W, H8>;
   k.hourglass_energy[5] = hexahedron_hourglass_energy<W, H8Parallelepiped>;
+  k.nodes = {node_kernels_of<W, CentralDifference<float>>(), node_kernels_of<W, Newmark<float>>()};
   k.functions[0] = apply_function<W, rcbrt<W>>;
   k.functions[1] = apply_function<W, square_root<W>>;
   k.functions[2] = apply_function<W, log_1p<W>>;

@@ -26,3 +26,11 @@ const InstructionSet& choose_instruction_set(const char* name) {
 }
 
 }  // namespace glisson::patches
+
+namespace glisson {
+
+const NodeKernels& node_kernels(const char* instruction_set) {
+  return patches::choose_instruction_set(instruction_set).formulations->nodes;
+}
+
+}  // namespace glisson

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include <glisson/cpu/node_kernels.hpp>
 #include <glisson/cpu/solids/patch.hpp>
 
 namespace glisson::patches {
@@ -25,6 +26,7 @@ struct FormulationTable {
   PatchKernel forces[kind_count] = {};
   EnergyKernel strain_energy[kind_count] = {};
   EnergyKernel hourglass_energy[kind_count] = {};  ///< null: none
+  NodeKernels nodes;
   /// For tests: rcbrt, square_root, log_1p, exp_m1 of `width` numbers.
   void (*functions[4])(const float* from, float* to) = {};
 };

@@ -13,6 +13,11 @@ namespace glisson::patches {
 constexpr int strip_length = 3;
 constexpr int strip_corners = strip_length + 3;
 
+/// One-point hexahedra per column: each one shares a face with the next, so that 3 of them touch 16 nodes
+/// instead of 24.
+constexpr int column_length = 3;
+constexpr int column_corners = 4 * (column_length + 1);
+
 /// Row of a lane within the W rows that store_nodes and store_scalars write.
 constexpr int row_of_lane(int lane, int width) { return lane % 4 * (width / 4) + lane / 4; }
 
@@ -22,8 +27,9 @@ struct SumRun {
   std::uint16_t nodes, rows;
 };
 
-/// Elements of one formulation, law and set of Prony terms. A tile is W strips of tetrahedra or W hexahedra,
-/// one per lane. Everything a patch points to lies in one block of memory in the order of the members.
+/// Elements of one formulation, law and set of Prony terms. A tile is W strips of tetrahedra, W columns of
+/// hexahedra or W hexahedra, one per lane. Everything a patch points to lies in one block of memory in the
+/// order of the members.
 struct Patch {
   int tiles = 0;
   int node_count = 0;

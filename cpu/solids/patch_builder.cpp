@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glisson/cpu/solids/columns.hpp>
 #include <glisson/cpu/solids/element_constants.hpp>
 #include <glisson/cpu/solids/strips.hpp>
 
@@ -18,11 +19,11 @@ Layout layout_of(Kind kind) {
   switch (kind) {
     case Kind::t4:
     case Kind::t4anp:
-      return {strip_corners, strip_length, constants, 1, 256};
+      return {strip_corners, strip_length, constants, 1, 256, 1};
     case Kind::h8_full:
-      return {8, 1, constants, 8, 256};
+      return {8, 1, constants, 8, 256, 8};
     default:
-      return {8, 1, constants, 1, 256};
+      return {column_corners, column_length, constants, 1, 144, 4};
   }
 }
 
@@ -54,19 +55,9 @@ void PatchBuilder::add(Block& block, std::vector<int> elements, std::vector<Patc
     candidates.insert(candidates.end(), elements.begin() + static_cast<std::ptrdiff_t>(next),
                       elements.begin() + static_cast<std::ptrdiff_t>(next + fresh));
     next += fresh;
-    std::vector<Item> items;
-    if (layout.elements_per_item == 1) {
-      for (const int e : candidates) {
-        Item item{{}, {e, -1, -1}, layout.corners, 0};
-        std::transform(model_.mesh.element(e).begin(), model_.mesh.element(e).end(), item.node.begin(),
-                       [&](int n) { return numbering_.internal_of_user[at(n)]; });
-        items.push_back(item);
-      }
-    } else {
-      items = tetrahedron_items(candidates);
-    }
-    // Strips that came out short get a second chance with the next elements, but only one: else they would
-    // stay for ever.
+    std::vector<Item> items = items_of(layout, candidates);
+    // Strips and columns that came out short get a second chance with the next elements, but only one: else
+    // they would stay for ever.
     const std::span<const int> waited(candidates.data(), old);
     for (Item& item : items) {
       auto has_waited = [&](int e) { return std::binary_search(waited.begin(), waited.end(), e); };
@@ -86,12 +77,15 @@ void PatchBuilder::add(Block& block, std::vector<int> elements, std::vector<Patc
   block.patch_count = static_cast<int>(patches.size()) - block.first_patch;
 }
 
-std::vector<Item> PatchBuilder::tetrahedron_items(std::span<const int> elements) {
-  std::vector<std::array<int, 4>> tetrahedra;
-  std::vector<int> internal;  // of a local node
+/// Corners of elements as places in `internal`, which gets their internal numbers.
+template <std::size_t corners>
+std::vector<std::array<int, corners>> PatchBuilder::in_local_numbers(std::span<const int> elements,
+                                                                     std::vector<int>& internal) {
+  std::vector<std::array<int, corners>> result;
+  result.reserve(elements.size());
   for (const int e : elements) {
-    std::array<int, 4> nodes;
-    for (std::size_t a = 0; a < 4; ++a) {
+    std::array<int, corners> nodes;
+    for (std::size_t a = 0; a < corners; ++a) {
       const int n = numbering_.internal_of_user[at(model_.mesh.element(e)[a])];
       if (local_[at(n)] < 0) {
         local_[at(n)] = static_cast<int>(internal.size());
@@ -99,17 +93,32 @@ std::vector<Item> PatchBuilder::tetrahedron_items(std::span<const int> elements)
       }
       nodes[a] = local_[at(n)];
     }
-    tetrahedra.push_back(nodes);
+    result.push_back(nodes);
   }
   for (const int n : internal) local_[at(n)] = -1;
+  return result;
+}
+
+std::vector<Item> PatchBuilder::items_of(const Layout& layout, std::span<const int> elements) {
+  std::vector<int> internal;
   std::vector<Item> items;
-  for (const Strip<4>& strip : build_strips<4>(tetrahedra)) {
+  auto add = [&](const auto& nodes, const auto& places, int corners) {
     Item item;
-    item.corners = strip.corners();
-    for (std::size_t k = 0; k < 6; ++k) item.node[k] = internal[at(strip.node[k])];
-    for (std::size_t j = 0; j < 3; ++j)
-      item.element[j] = strip.element[j] < 0 ? -1 : elements[at(strip.element[j])];
+    item.corners = corners;
+    for (std::size_t k = 0; k < nodes.size(); ++k) item.node[k] = internal[at(nodes[k])];
+    for (std::size_t j = 0; j < places.size(); ++j)
+      item.element[j] = places[j] < 0 ? -1 : elements[at(places[j])];
     items.push_back(item);
+  };
+  if (layout.new_corners == 1) {
+    for (const Strip<4>& s : build_strips<4>(in_local_numbers<4>(elements, internal)))
+      add(s.node, s.element, s.corners());
+  } else if (layout.elements_per_item > 1) {
+    for (const Column& c : build_columns(in_local_numbers<8>(elements, internal)))
+      add(c.node, c.element, c.corners());
+  } else {
+    int place = 0;
+    for (const auto& nodes : in_local_numbers<8>(elements, internal)) add(nodes, std::array{place++}, 8);
   }
   return items;
 }
@@ -144,8 +153,10 @@ void PatchBuilder::write_elements(const Block& block, const Layout& layout, std:
       if (!uniform)
         for (std::size_t k = 0; k < count; ++k)
           to.parameters[(place * count + k) * W + lane] = values.parameters[k];
-      for (std::size_t a = 0; a + j < 8; ++a)
-        X[a] = model_.mesh.X[at(numbering_.user_of_internal[at(items[i].node[a + j])])];
+      for (std::size_t a = 0; a < at(layout.corners_of_element(layout.corners)); ++a) {
+        const int n = items[i].node[a + j * at(layout.new_corners)];
+        X[a] = model_.mesh.X[at(numbering_.user_of_internal[at(n)])];
+      }
       element_constants(block.kind, X, values.stiffness, constants);
       for (std::size_t c = 0; c < constants.size(); ++c)
         to.constants[(place * constants.size() + c) * W + lane] = static_cast<float>(constants[c]);

@@ -39,7 +39,10 @@ class PatchBuilder {
     int* element;  ///< null: not kept
     float *parameters, *constants;
   };
-  std::vector<Item> tetrahedron_items(std::span<const int> elements);
+  template <std::size_t corners>
+  std::vector<std::array<int, corners>> in_local_numbers(std::span<const int> elements,
+                                                         std::vector<int>& internal);
+  std::vector<Item> items_of(const Layout& layout, std::span<const int> elements);
   void add_patch(const Block& block, std::span<const Item> items, std::vector<Patch>& patches);
   void write_elements(const Block& block, const Layout& layout, std::span<const Item> items, bool uniform,
                       const Patch& patch, const Arrays& to);

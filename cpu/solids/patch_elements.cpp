@@ -16,9 +16,10 @@ PatchElements::PatchElements(Threads& threads, std::vector<ElementBlock> blocks,
   PatchLists lists(node_count, kernels_.width);
   for (const ElementBlock& block : blocks)
     for (const Item& item : block.items) {
-      const int per_element = block.layout.nodes_per_element(item.corners);
-      for (int j = 0; j <= item.corners - per_element; ++j)
-        for (int k = j; k < j + per_element; ++k) lists.count(item.node[at(k)]);
+      const int per_element = block.layout.corners_of_element(item.corners);
+      for (int j = 0, first = 0; j < block.layout.elements(item.corners);
+           ++j, first += block.layout.new_corners)
+        for (int k = first; k < first + per_element; ++k) lists.count(item.node[at(k)]);
     }
   for (ElementBlock& block : blocks) {
     add_patches(block, lists);

@@ -28,7 +28,7 @@ PatchLists::PatchLists(int node_count, int width)
 void PatchLists::sort_nodes(const Layout& layout, std::span<const Item> items, PatchOutline& outline) {
   std::vector<PatchOutline::Node>& nodes = outline.nodes;
   for (const Item& item : items) {
-    const int per_element = layout.nodes_per_element(item.corners);
+    const int per_element = layout.corners_of_element(item.corners);
     for (int k = 0; k < item.corners; ++k) {
       int& local = local_[at(item.node[at(k)])];
       if (local < 0) {
@@ -37,8 +37,8 @@ void PatchLists::sort_nodes(const Layout& layout, std::span<const Item> items, P
       }
       PatchOutline::Node& node = nodes[at(local)];
       ++node.rows;
-      const int elements = item.corners - per_element + 1;
-      for (int j = 0; j < elements; ++j) node.elements += k >= j && k < j + per_element;
+      for (int j = 0, first = 0; j < layout.elements(item.corners); ++j, first += layout.new_corners)
+        node.elements += k >= first && k < first + per_element;
     }
   }
   auto shared = [&](const PatchOutline::Node& n) { return n.elements < valence_[at(n.node)]; };

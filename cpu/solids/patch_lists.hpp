@@ -11,24 +11,28 @@
 
 namespace glisson::patches {
 
-/// Shape of a formulation in memory. An item is what one lane holds: one element, or a strip of up to three.
+/// Shape of a formulation in memory. An item is what one lane holds: one element, a strip of up to three or
+/// a column.
 struct Layout {
   int corners;  ///< nodes per item
   int elements_per_item;
   int constants;        ///< per element
   int points;           ///< with history, per element
   int items_per_patch;  ///< so that the force rows stay in the first cache
-  /// Elements of a strip have consecutive nodes, and share all but one with the next; false: the elements of
-  /// an item are taken for one.
-  bool consecutive = true;
+  int new_corners = 1;  ///< from one element of an item to the next; 0: they are taken for one element
 
   /// In an item with so many real corners.
-  int nodes_per_element(int real) const { return consecutive ? corners - elements_per_item + 1 : real; }
+  int corners_of_element(int real) const {
+    return new_corners == 0 ? real : corners - new_corners * (elements_per_item - 1);
+  }
+  int elements(int real) const {
+    return new_corners == 0 ? 1 : (real - corners_of_element(real)) / new_corners + 1;
+  }
 };
 
 /// One lane of a patch.
 struct Item {
-  std::array<int, 10> node{};              ///< internal numbers; those beyond `corners` repeat a real one
+  std::array<int, column_corners> node{};  ///< internal numbers; those beyond `corners` repeat a real one
   std::array<int, 3> element{-1, -1, -1};  ///< user's numbers
   int corners = 0;                         ///< real ones
   int urgency = 0;                         ///< the largest stay in this patch

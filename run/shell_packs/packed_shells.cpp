@@ -170,7 +170,7 @@ class BlockMaker {
                         std::vector<ElementBlock>& blocks) const {
     ElementBlock block =
         start(host, {nodes_of_shell_strip, triangles_per_strip, numbers_of<RotationFreeInner>, 1, 144});
-    block.layout.consecutive = false;
+    block.layout.new_corners = 0;
     const patches::PatchKernel own = functions_of(kernels_, host.section->law).shell_forces;
     block.forces = plain(*host.section) && own ? own : kernels_.shell_forces;
     block.energy = kernels_.shell_energy;
