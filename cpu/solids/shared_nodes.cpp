@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <glisson/core/tensor/tensor.hpp>
+#include <glisson/cpu/simd/nodes.hpp>
 
 namespace glisson::patches {
 namespace {
@@ -42,20 +42,16 @@ Share SharedNodes::share(int thread, int thread_count) const {
 void SharedNodes::sum_forces(const Pass& pass, const Share& share) const {
   constexpr int ahead =
       32;  // parts lie in several patches: without fetching them ahead each one waits for memory
-  const auto* parts = reinterpret_cast<const Vec4<float>*>(pass.slot_force);
-  auto* f = reinterpret_cast<Vec4<float>*>(pass.f);
+  auto row = [](auto* rows, int i) { return rows + 4 * static_cast<std::ptrdiff_t>(i); };
   const int last_slot = static_cast<int>(slots.size()) - ahead;
   for (int i = share.first; i < share.last; ++i) {
-    if (i + ahead / 2 < share.last) __builtin_prefetch(f + node[at(i + ahead / 2)], 1, 3);
-    Vec4<float> sum = f[node[at(i)]];
+    if (i + ahead / 2 < share.last) __builtin_prefetch(row(pass.f, node[at(i + ahead / 2)]), 1, 3);
+    Row sum = load_row(row(pass.f, node[at(i)]));
     for (int k = begin[at(i)]; k < begin[at(i + 1)]; ++k) {
-      if (k < last_slot) __builtin_prefetch(parts + slots[at(k + ahead)], 0, 3);
-      const Vec4<float> part = parts[slots[at(k)]];
-      sum.x += part.x;
-      sum.y += part.y;
-      sum.z += part.z;
+      if (k < last_slot) __builtin_prefetch(row(pass.slot_force, slots[at(k + ahead)]), 0, 3);
+      sum += load_row(row(pass.slot_force, slots[at(k)]));
     }
-    f[node[at(i)]] = sum;
+    store_row(row(pass.f, node[at(i)]), sum);
   }
 }
 
