@@ -10,6 +10,7 @@
 #include <glisson/app/read_input.hpp>
 #include <glisson/core/mesh/triangles.hpp>
 #include <glisson/core/solids/stable_step.hpp>
+#include <glisson/run/summary.hpp>
 #include <glisson/shells/inertia.hpp>
 
 namespace glisson::app {
@@ -96,6 +97,14 @@ void predict(AnySimulation& simulation, const StepReport& report) {
                duration_text(1000 * step));
 }
 
+/// check has read the file and built the simulation as a run does; a snapshot adds three vectors per node.
+void print_memory(const AnySimulation& simulation, const Model& model) {
+  const double snapshot = 3.0 * sizeof(Vec3<double>) * static_cast<double>(model.mesh.X.size());
+  fmt::print("device {}, memory {} for the simulation, about {} at the peak of a run\n", simulation.device(),
+             bytes_text(static_cast<double>(simulation.memory_bytes())),
+             bytes_text(static_cast<double>(peak_memory()) + snapshot));
+}
+
 }  // namespace
 
 int check(const CheckArguments& arguments) {
@@ -112,8 +121,7 @@ int check(const CheckArguments& arguments) {
   options.validated = true;
   const auto simulation = in_file(arguments.file, [&] { return make_simulation(model, options); });
   const StepReport report = simulation->report();
-  fmt::print("device {}, memory {}\n", simulation->device(),
-             bytes_text(static_cast<double>(simulation->memory_bytes())));
+  print_memory(*simulation, model);
   fmt::print("time step {:.4g} s, stable up to {:.4g} s (limited by {})", report.dt, report.stable_step,
              report.limited_by);
   if (report.planned_steps > 0) fmt::print(", {} steps to {:.4g} s", report.planned_steps, model.time.total);

@@ -199,7 +199,7 @@ class Runs(InFolder):
 
     def test_other_commands(self):
         file = self.write("box.xml", box(2))
-        self.expect(run("check", file), 0, "can be run", "stable up to")
+        self.expect(run("check", file), 0, "can be run", "stable up to", "at the peak of a run")
         self.expect(run("info", file), 0, "8 hexahedra")
         self.expect(run("devices"), 0, "cpu")
         self.expect(run("bench", "--sizes", "1000", "--seconds", "0.05", "--json", self.folder / "b/bench.json"), 0, "T4ANP")

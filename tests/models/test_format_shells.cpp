@@ -225,7 +225,9 @@ TEST(FormatShells, SubModelsKeepTheirShellsWhenTheyAreMerged) {
   int shared = 0;
   for (const auto& edge : edges_of(model.mesh.triangles)) {
     shared += edge.sides.size() == 2;
-    if (edge.sides.size() == 2) EXPECT_TRUE(same_orientation(model.mesh.triangles, edge));
+    if (edge.sides.size() == 2) {
+      EXPECT_TRUE(same_orientation(model.mesh.triangles, edge));
+    }
   }
   EXPECT_EQ(shared, 3);  // two diagonals and the seam
   EXPECT_NO_THROW(validate(model));
