@@ -7,24 +7,11 @@
 #include <string>
 #include <vector>
 
+#include <glisson/core/contact_report.hpp>
 #include <glisson/core/loads/list_forces.hpp>
 #include <glisson/core/loads/node_list.hpp>
 
 namespace glisson::contact {
-
-/// State of a contact pair at the last step of a run with energies.
-struct ContactReport {
-  double depth = 0;          ///< largest penetration of the nodes [m]
-  double largest_depth = 0;  ///< the same over the run [m]
-  int node_count = 0;        ///< nodes that were pushed
-  Vec3<double> force;        ///< of the body on the nodes [N]
-};
-/// What reports contact; every provider of make_rigid_bodies does (dynamic_cast).
-class ContactSource {
- public:
-  virtual ~ContactSource() = default;
-  virtual ContactReport report() const = 0;
-};
 
 /// Part of a report from one chunk of nodes.
 struct ContactPart {
@@ -75,6 +62,17 @@ class ListContact : public ForceProvider<R>, public ContactSource {
       sum.force = sum.force + part.force;
     }
     return sum;
+  }
+  void add_node_forces(std::vector<Vec3<double>>& f) const override {
+    std::vector<int> nodes(static_cast<std::size_t>(count_));
+    std::vector<Vec4<R>> last(nodes.size());
+    if (nodes.empty()) return;
+    backend_.copy_out(nodes_.get(), nodes.data(), nodes.size());
+    backend_.copy_out(last_.get(), last.data(), last.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      Vec3<double>& sum = f[static_cast<std::size_t>(nodes[i])];
+      sum = sum + Vec3<double>{double(last[i].x), double(last[i].y), double(last[i].z)};
+    }
   }
   std::vector<std::byte> save() const override {
     detail::ByteWriter out;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <glisson/core/contact_report.hpp>
 #include <glisson/core/force_provider.hpp>
 #include <glisson/core/model.hpp>
 #include <glisson/core/result_fields.hpp>
@@ -22,7 +23,7 @@ struct Energies {
   double damping = 0;     ///< dissipated by mass-proportional damping
   double external = 0;    ///< work of forces, pressure, gravity, springs, user providers
   double prescribed = 0;  ///< work of the reactions at prescribed nodes
-  double contact = 0;     ///< work of rigid bodies on the nodes
+  double contact = 0;     ///< work of contact, with rigid bodies and between deformable ones
   double initial = 0;     ///< kinetic energy at the start
   /// initial + external + prescribed + contact - kinetic - strain - hourglass - viscous - damping
   double imbalance() const {
@@ -69,6 +70,10 @@ class AnySimulation {
     return source.range(0, source.element_count);
   }
   virtual ShellFields shell_fields() const = 0;
+  /// One for each rigid body, rigid surface and for the deformable bodies together, as of the last account.
+  virtual std::vector<NamedContact> contacts() const = 0;
+  /// Of all contact on the nodes in the step of the last energy account [N]  [node_count]; empty without any.
+  virtual std::vector<Vec3<double>> contact_force() const = 0;
 
   /// Adds a user's provider; before the first step.
   virtual void add(std::unique_ptr<ForceProvider<double>> provider) = 0;

@@ -169,6 +169,33 @@ struct RigidSurface {
   std::vector<int> nodes;  ///< nodes that may touch it; empty: all surface nodes
 };
 
+/// Consecutive elements with a name that contact pairs are chosen by: a sub-model of a file.
+struct NamedElements {
+  std::string name;
+  int first = 0, count = 0;
+};
+
+/// Whether two named bodies may touch and how rough they are; a body with itself: its self-contact.
+struct ContactPair {
+  std::string where;  ///< for messages: "ContactPair at line 12"
+  std::string a, b;   ///< names of Model::bodies_by_name
+  bool touch = true;
+  std::optional<double> friction;  ///< [-]; empty: that of DeformableContact
+};
+
+/// Contact of the outer surfaces of solids with each other and with themselves (Johnsen 2016, chapter 5).
+struct DeformableContact {
+  bool between_bodies = false;     ///< parts of the surface that are not connected
+  bool self = false;               ///< each connected part with itself
+  double friction = 0;             ///< Coulomb's coefficient [-]
+  double offset = 0;               ///< gap that surfaces keep [m]
+  std::optional<double> distance;  ///< gap below which an approach is slowed [m]; empty: from the mesh
+  std::vector<int> nodes;          ///< nodes that may touch facets; empty: all surface nodes
+  std::vector<ContactPair> pairs;
+
+  bool wanted() const { return between_bodies || self; }
+};
+
 struct InitialVelocity {
   std::vector<int> nodes;
   Vec3<double> velocity;  ///< [m/s]
@@ -223,6 +250,8 @@ struct Model {
   std::vector<SlidingPlane> planes;
   std::vector<RigidBody> bodies;
   std::vector<RigidSurface> surfaces;
+  DeformableContact contact;
+  std::vector<NamedElements> bodies_by_name;
   std::vector<InitialVelocity> initial_velocities;
   TimeSettings time;
   OutputSettings output;

@@ -13,6 +13,7 @@ std::vector<std::string> validate(const Model& model) {
   detail::check_nodes(model, warnings);
   detail::check_loads(model, warnings);
   detail::check_rigid_surfaces(model);
+  detail::check_deformable_contact(model, warnings);
   detail::check_time(model, warnings);
   detail::check_units(model, warnings);
   return warnings;

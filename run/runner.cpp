@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/models/output/contact_pressure.hpp>
 #include <glisson/models/output/history_csv.hpp>
 #include <glisson/models/output/pvd_series.hpp>
 #include <glisson/models/output/text_writer.hpp>
@@ -255,7 +256,9 @@ bool Runner::advance_to_end() {
 /// the last one.
 void Runner::snapshot(bool with_text) {
   const Stopwatch watch(summary_.timings.output);
-  const auto state = Snapshot::of(*simulation_);
+  auto state = Snapshot::of(*simulation_);
+  if (!state.contact_force.empty())
+    state.contact_pressure = nodal_pressure(model_.mesh, state.displacement, state.contact_force);
   files_->series->write(model_.mesh, state);
   summary_.snapshots = static_cast<int>(files_->series->entries().size());
   const auto every = model_.output.every;
@@ -282,6 +285,7 @@ void Runner::update_summary() {
   summary_.report = simulation_->report();
   summary_.energies = simulation_->energies();
   summary_.residuals = simulation_->residuals();
+  summary_.contacts = simulation_->contacts();
   std::tie(summary_.largest_displacement, summary_.largest_node) = largest(simulation_->displacement());
   summary_.simulation_bytes = simulation_->memory_bytes();
 }

@@ -54,6 +54,34 @@ Json timings_of(const RunSummary& s) {
   return timings;
 }
 
+Json search_of(const ContactSearchReport& s) {
+  return {{"searches", s.searches},
+          {"volumes_refitted", s.volumes_refitted},
+          {"subtrees_tested", s.subtrees_tested},
+          {"triangle_pairs", s.triangle_pairs},
+          {"candidates", s.candidates},
+          {"search_s", s.search_seconds},
+          {"total_s", s.seconds}};
+}
+
+Json contacts_of(const std::vector<NamedContact>& contacts) {
+  Json list = Json::array();
+  for (const auto& [name, report] : contacts) {
+    Json its{{"name", name},
+             {"largest_depth", report.largest_depth},
+             {"depth", report.depth},
+             {"touches", report.node_count}};
+    if (report.search.searches > 0) {  // of deformable bodies
+      its["start_depth"] = report.start_depth;
+      its["search"] = search_of(report.search);
+    } else {
+      its["force"] = {report.force.x, report.force.y, report.force.z};
+    }
+    list.push_back(std::move(its));
+  }
+  return list;
+}
+
 Json as_json(const RunSummary& s) {
   Json j{{"program", "Glisson"}, {"version", version}, {"compiler", compiler}, {"status", s.status}};
   if (!s.message.empty()) j["message"] = s.message;
@@ -69,6 +97,7 @@ Json as_json(const RunSummary& s) {
   j["largest_displacement"] = {{"value", s.largest_displacement}, {"node", s.largest_node}};
   j["energies"] = energies_of(s.energies);
   if (s.triangle_count > 0) j["energies"]["shell_strain"] = s.energies.shell;
+  if (!s.contacts.empty()) j["contact"] = contacts_of(s.contacts);
   j["snapshots"] = s.snapshots;
   j["timings"] = timings_of(s);
   j["memory"] = {{"simulation_bytes", s.simulation_bytes}, {"peak_bytes", s.peak_bytes}};

@@ -30,6 +30,7 @@ struct RunSummary {
   double largest_displacement = 0;    ///< [m]
   int largest_node = -1;              ///< where
   std::array<double, 2> residuals{};  ///< of a quasi-static run [-]
+  std::vector<NamedContact> contacts;
   int snapshots = 0;
   std::size_t simulation_bytes = 0, peak_bytes = 0;
   RunTimings timings;

@@ -62,14 +62,15 @@ struct ConstrainNodes {
 };
 
 /// a <- its part in the free directions: residual forces without reactions, velocities that the constraints
-/// allow.
+/// allow; with amplitudes, displacements as the constraints demand them.
 template <class R>
 struct ProjectNodes {
   ConstraintView list;
   Vec4<R>* a;  ///< [node_count]
+  CurveValues amplitude{};
   GLISSON_HD void operator()(int i) const {
     const int n = list.nodes[i];
-    const Vec3<R> b = list.constrain(i, xyz(a[n]), CurveValues{});
+    const Vec3<R> b = list.constrain(i, xyz(a[n]), amplitude);
     a[n] = {b.x, b.y, b.z, a[n].w};
   }
 };

@@ -42,9 +42,16 @@ class Constraints {
     applied_ = amplitudes_;
   }
 
+  /// The displacement of constrained nodes at t_next, nothing else: for predictions.
+  void place(Vec4<R>* u, double t_next, double dt) {
+    if (count_ == 0) return;
+    set_targets(t_next, dt);
+    backend_.for_each(count_, ProjectNodes<R>{view(), u, displacements()});
+  }
+
   /// a <- its part in the free directions; for residual forces and initial velocities.
   void project(Vec4<R>* a) {
-    if (count_ > 0) backend_.for_each(count_, ProjectNodes<R>{view(), a});
+    if (count_ > 0) backend_.for_each(count_, ProjectNodes<R>{view(), a, {}});
   }
 
   /// Work of the reactions since the start [J].

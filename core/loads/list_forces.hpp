@@ -88,13 +88,18 @@ class ListWork {
   /// Adds the rule's forces; counts work when the step asks for it.
   template <class Rule>
   void run(const StepView<R>& step, const int* nodes, const Rule& rule) {
-    if (entry_count_ == 0) return;
+    run(step, nodes, rule, entry_count_);
+  }
+  /// The same for a list that holds `count` entries now, at most as many as were announced.
+  template <class Rule>
+  void run(const StepView<R>& step, const int* nodes, const Rule& rule, int count) {
     const AddForces<R, Rule> forces{rule, nodes, step.f, step.node_count};
     if (counts(step))
-      backend_.for_each(chunk_count_, AddForcesWithWork<R, Rule>{forces, step.v, chunks_.get(), entry_count_,
-                                                                 half_dt(), R(share(step))});
+      backend_.for_each((count + entries_per_sum - 1) / entries_per_sum,
+                        AddForcesWithWork<R, Rule>{forces, step.v, chunks_.get(), count, half_dt(),
+                                                   R(share(step))});
     else
-      backend_.for_each(entry_count_, forces);
+      backend_.for_each(count, forces);
     finish(step);
   }
 

@@ -51,4 +51,20 @@ std::vector<T> read_array(std::istream& in, std::size_t expected) {
   return values;
 }
 
+/// Bytes of any count, in pieces, so that a damaged count ends at the end of the stream.
+inline std::vector<std::byte> read_bytes(std::istream& in) {
+  auto left = read_value<std::uint64_t>(in);
+  std::vector<std::byte> bytes;
+  while (left > 0) {
+    const std::size_t piece = left < (1u << 20) ? static_cast<std::size_t>(left) : (1u << 20);
+    bytes.resize(bytes.size() + piece);
+    if (!in.read(reinterpret_cast<char*>(bytes.data() + bytes.size() - piece),
+                 static_cast<std::streamsize>(piece)))
+      throw Error(ErrorKind::input,
+                  "The checkpoint ends too early. It is damaged: start the run again without --resume.");
+    left -= piece;
+  }
+  return bytes;
+}
+
 }  // namespace glisson

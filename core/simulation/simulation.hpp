@@ -42,6 +42,8 @@ class Simulation final : public AnySimulation {
   std::vector<Vec3<double>> internal_force() const override;
   ElementFieldSource element_field_source() const override;
   ShellFields shell_fields() const override;
+  std::vector<NamedContact> contacts() const override;
+  std::vector<Vec3<double>> contact_force() const override;
   void add(std::unique_ptr<ForceProvider<double>> provider) override;
   void save(std::ostream& out) const override;
   void load(std::istream& in) override;

@@ -144,6 +144,27 @@ ShellFields Simulation<B, R>::shell_fields() const {
 }
 
 template <Backend B, class R>
+std::vector<NamedContact> Simulation<B, R>::contacts() const {
+  std::vector<NamedContact> all;
+  for (const auto& body : parts_.bodies)
+    if (const auto* source = dynamic_cast<const ContactSource*>(body.get()))
+      all.push_back({std::string(body->name()), source->report()});
+  return all;
+}
+
+template <Backend B, class R>
+std::vector<Vec3<double>> Simulation<B, R>::contact_force() const {
+  if (parts_.bodies.empty()) return {};
+  std::vector<Vec3<double>> internal(nodes_.size()), user(nodes_.size());
+  for (const auto& body : parts_.bodies)
+    if (const auto* source = dynamic_cast<const ContactSource*>(body.get()))
+      source->add_node_forces(internal);
+  for (std::size_t n = 0; n < user.size(); ++n)
+    user[static_cast<std::size_t>(parts_.numbering.user_of_internal[n])] = internal[n];
+  return user;
+}
+
+template <Backend B, class R>
 std::size_t Simulation<B, R>::memory_bytes() const {
   return nodes_.memory_bytes() + power_.memory_bytes() + parts_.solids->memory_bytes();
 }
@@ -190,7 +211,7 @@ void Simulation<B, R>::load(std::istream& in) {
   auto bytes = [&](std::size_t expected) { return read_array<std::byte>(in, expected); };
   parts_.constraints->load(bytes(parts_.constraints->save().size()));
   for (auto& load : parts_.loads) load->load(bytes(load->save().size()));
-  for (auto& body : parts_.bodies) body->load(bytes(body->save().size()));
+  for (auto& body : parts_.bodies) body->load(read_bytes(in));  // their lists change their length
   for (auto& user : users_) user->provider().load(bytes(user->provider().save().size()));
   healthy_ = read_array<Vec3<double>>(in, healthy_step_ > 0 ? nodes_.size() : 0);
 }

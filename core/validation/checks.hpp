@@ -39,6 +39,8 @@ void check_loads(const Model& model, Warnings& warnings);
 /// Friction and facets of rigid surfaces: corners that exist, area, at most two owners of an edge, one
 /// orientation.
 void check_rigid_surfaces(const Model& model);
+/// Friction, distances, nodes and names of contact between deformable bodies.
+void check_deformable_contact(const Model& model, Warnings& warnings);
 void check_time(const Model& model, Warnings& warnings);
 /// Orders of magnitude, when the units are known.
 void check_units(const Model& model, Warnings& warnings);

@@ -39,6 +39,7 @@ void shift(Part& part, int node_offset, int element_offset, int triangle_offset)
     for (auto& e : section.elements) e += triangle_offset;
   for (auto& section : model.sections)
     for (auto& e : section.elements) e += element_offset;
+  for (auto& body : model.bodies_by_name) body.first += element_offset;
   for (auto& gravity : model.gravity)  // "all" means all of this part
     if (gravity.nodes.empty())
       for (int n = 0; n < model.mesh.node_count(); ++n) gravity.nodes.push_back(n);
@@ -139,6 +140,7 @@ void append(Part& whole, Part part) {
   move_to_end(part.model.clamped_nodes, whole.model.clamped_nodes);
   move_to_end(part.formulation, whole.formulation);
   move_to_end(part.model.sections, whole.model.sections);
+  move_to_end(part.model.bodies_by_name, whole.model.bodies_by_name);
   move_to_end(part.model.fixed, whole.model.fixed);
   move_to_end(part.model.displacements, whole.model.displacements);
   move_to_end(part.model.forces, whole.model.forces);

@@ -102,6 +102,7 @@ Model detail::model_of(const XmlDocument& document, const std::string& file_name
   detail::Part part = detail::read_level(reader, root);
   detail::read_contact(reader, root, part);
   detail::read_contact_surfaces(reader, root, part);
+  detail::read_deformable_contact(reader, root, part);
   Model& model = part.model;
   model.time = time;
   detail::read_output(root, model.output);

@@ -76,6 +76,10 @@ void read_shell_material(const Reader& reader, const XmlElement& material, const
 void read_constraints(const Reader& reader, const XmlElement& level, Part& part);
 void read_contact(const Reader& reader, const XmlElement& model, Part& part);
 void read_contact_surfaces(const Reader& reader, const XmlElement& model, Part& part);
+/// Contact of deformable bodies; after the sub-models, whose names pairs use.
+void read_deformable_contact(const Reader& reader, const XmlElement& model, Part& part);
+/// Notes the name of a sub-model for pairs of bodies.
+void name_body(const XmlElement& sub_model, Part& part);
 void read_system_params(Reader& reader, const XmlElement& model, TimeSettings& time);
 void read_output(const XmlElement& model, OutputSettings& output);
 

@@ -22,10 +22,10 @@ constexpr std::array rules{
         "ElementSet=ElementSet* Constraint=Constraint* SubModel=SubModel* SubModelNodeMergerDistance=Value "
         "ContactCylinder=Cylinder* ContactUSProbe=Cylinder* ContactPlate=Plate* Output=Output "
         "SystemParams=SystemParams ShellElements=ShellElements* ShellElementSet=ShellElementSet* "
-        "ContactSurface=ContactSurface* "
+        "ContactSurface=ContactSurface* ContactPair=ContactPair* ContactNodes=Nodes "
         "KinematicContact=NotBuilt* ReducedBasis=NotBuilt"},
     ElementRule{
-        "SubModel", "",
+        "SubModel", "Name",
         "Nodes=MeshNodes Elements=MeshElements MSHMesh=MeshFile VTKMesh=MeshFile VTUMesh=MeshFile "
         "Mesh=MeshFile "
         "ElementSet=ElementSet* Constraint=Constraint* SubModel=SubModel* SubModelNodeMergerDistance=Value "
@@ -85,6 +85,7 @@ constexpr std::array rules{
     ElementRule{"ContactSurface", "",
                 "Nodes=MeshNodes Elements=MeshElements VTKSurface=MeshFile SurfaceFile=MeshFile "
                 "FrictionCoefficient=Value SlaveNodes=Nodes SlvNodes=Nodes Motion=Motion"},
+    ElementRule{"ContactPair", "A B Touch:0,1", "FrictionCoefficient=Value"},
     ElementRule{
         "Motion",
         "Type:Translation,Rotation LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",

@@ -6,7 +6,15 @@ namespace glisson::detail {
 namespace {
 
 void read_sub_models(const Reader& reader, const XmlElement& level, Part& part) {
-  for (const auto sub : level.all("SubModel")) append(part, read_level(reader, *sub));
+  for (const auto sub : level.all("SubModel")) {
+    Part its = read_level(reader, *sub);
+    name_body(*sub, its);
+    for (const NamedElements& body : its.model.bodies_by_name)
+      for (const NamedElements& other : part.model.bodies_by_name)
+        if (body.name == other.name)
+          sub->fail("the Name \"" + body.name + "\" is used twice; contact pairs need different ones");
+    append(part, std::move(its));
+  }
   for (const auto name : {"Nodes", "Elements", "MSHMesh", "VTKMesh", "VTUMesh", "Mesh"})
     if (const auto own = level.child(name))
       reader.warn(*own, "it is not used: the geometry of a level with sub-models is theirs");

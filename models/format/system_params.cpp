@@ -20,14 +20,9 @@ double not_negative(const XmlElement& element) {
   return value;
 }
 
-void refuse_unbuilt(const Reader& reader, const XmlElement& system) {
-  for (const auto name : {"DoDeformableCollision", "DoSelfCollision", "ROM"})
-    if (const auto element = system.child(name); element != nullptr && element->integer() != 0)
-      element->fail("this feature is not supported yet; set it to 0 to run without it");
-  for (const auto name : {"DoMultiPassContacts", "BVType", "DeformableFrictionCoefficient",
-                          "ContactSafetyMargin", "RateConstraintDistance"})
-    if (const auto element = system.child(name))
-      reader.warn(*element, "it has no effect: there is no contact between meshes in this model");
+void refuse_unbuilt(const XmlElement& system) {
+  if (const auto element = system.child("ROM"); element != nullptr && element->integer() != 0)
+    element->fail("this feature is not supported yet; set it to 0 to run without it");
 }
 
 Stepper stepper_named(const XmlElement& element) {
@@ -66,7 +61,7 @@ void read_times(const XmlElement& system, TimeSettings& time) {
 
 void read_system_params(Reader& reader, const XmlElement& model, TimeSettings& time) {
   const auto& system = model.required_child("SystemParams");
-  refuse_unbuilt(reader, system);
+  refuse_unbuilt(system);
   read_times(system, time);
   if (const auto child = system.child("DampingCoeff")) time.damping = not_negative(*child);
   if (const auto child = system.child("SafetyFactor")) {

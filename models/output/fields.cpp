@@ -27,7 +27,9 @@ Snapshot Snapshot::of(const AnySimulation& simulation) {
           simulation.internal_force(),
           {},
           simulation.element_field_source(),
-          simulation.shell_fields()};
+          simulation.shell_fields(),
+          simulation.contact_force(),
+          {}};
 }
 
 void Field::for_each_piece(const std::function<void(std::span<const double>)>& use) const {
@@ -75,6 +77,8 @@ Fields Snapshot::fields() const {
   add(all.point, "displacement", displacement);
   add(all.point, "velocity", velocity);
   add(all.point, "internal_force", internal_force);
+  add(all.point, "contact_force", contact_force);
+  add(all.point, "contact_pressure", contact_pressure);
   for (Field& f : element_fields()) all.cell.push_back(std::move(f));
   return all;
 }

@@ -44,12 +44,14 @@ struct Snapshot {
   ElementFields elements;                    ///< [element_count] each, or empty and instead:
   ElementFieldSource element_source;         ///< asked piece by piece while a file is written
   ShellFields shells;                        ///< [triangle_count] each, or empty
+  std::vector<Vec3<double>> contact_force;   ///< of all contact [N]  [node_count], empty without contact
+  std::vector<double> contact_pressure;      ///< see nodal_pressure [Pa]  [node_count], or empty
 
   static Snapshot of(const AnySimulation& simulation);
   /// stress, strain, J.
   std::vector<Field> element_fields() const;
-  /// displacement, velocity, internal_force on nodes; stress, strain, J on elements. Empty arrays are left
-  /// out.
+  /// displacement, velocity, internal_force and those of contact on nodes; stress, strain, J on elements.
+  /// Empty arrays are left out.
   Fields fields() const;
 };
 

@@ -75,6 +75,28 @@ class Shells(InFolder):
                     "mass 0.01", "limited by shell triangle")
 
 
+class Contact(InFolder):
+    def test_the_probe_presses_the_prostate_through_its_surroundings(self):
+        """examples/trus with 1,536 tetrahedra."""
+        maker = EXAMPLES.parent / "trus" / "make_trus.py"
+        subprocess.run([sys.executable, maker, self.folder, "--cells", "2"], check=True)
+        largest = []
+        for precision in ("single", "double"):
+            out = self.folder / precision
+            self.expect(run("run", self.folder / "trus.xml", "-o", out, "--precision", precision), 0)
+            summary = json.loads((out / "summary.json").read_text())
+            largest.append(summary["largest_displacement"]["value"])
+            self.assertLess(abs(summary["energies"]["imbalance"]), 1e-3 * summary["energies"]["contact"])
+            probe, bodies = summary["contact"]
+            self.assertGreater(probe["touches"], 2)
+            self.assertLess(probe["force"][1], -0.1)
+            self.assertGreater(bodies["touches"], 20)
+            self.assertLess(bodies["largest_depth"], 0.05 * 0.0066)  # of the edges of the prostate
+            self.assertGreater(bodies["search"]["searches"], 1)
+        self.assertGreater(largest[0], 0.005)
+        self.assertAlmostEqual(largest[0], largest[1], delta=1e-3 * largest[1])
+
+
 class Usage(InFolder):
     def test_nothing(self):
         self.expect(run(), 2, "subcommand")

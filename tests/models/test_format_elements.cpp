@@ -247,6 +247,49 @@ TEST(FormatContact, RigidSurfaces) {
   EXPECT_TRUE(model.surfaces[1].nodes.empty());
 }
 
+/// The base file's geometry as a sub-model with a name, moved along x.
+std::string named_cube(const std::string& name, int x) {
+  const auto from = base_xml.find("<Nodes"), to = base_xml.find("<SystemParams>");
+  std::string content = base_xml.substr(from, to - from);
+  const auto end = content.find("</Nodes>");
+  std::string moved;
+  for (const int z : {0, 1})
+    for (const auto* corner : {"0 0 ", "1 0 ", "1 1 ", "0 1 "})
+      moved += std::to_string(x + corner[0] - '0') + " " + corner[2] + " " + std::to_string(z) + " ";
+  content.replace(0, end, "<Nodes NumNodes=\"8\" DOF=\"3\">" + moved);
+  return "<SubModel Name=\"" + name + "\">" + content + "</SubModel>";
+}
+
+TEST(FormatContact, DeformableBodies) {
+  const auto from = base_xml.find("<Nodes"), to = base_xml.find("<SystemParams>");
+  std::string xml = base_xml;
+  xml.replace(from, to - from,
+              named_cube("left", 0) + named_cube("right", 3) +
+                  "<ContactPair A=\"left\" B=\"right\">"
+                  "<FrictionCoefficient>0.5</FrictionCoefficient></ContactPair>"
+                  "<ContactPair A=\"left\" B=\"left\" Touch=\"0\"/>"
+                  "<ContactNodes>8 9 10</ContactNodes>");
+  xml = replaced(xml, "<TimeStep>",
+                 "<DoSelfCollision>1</DoSelfCollision><ContactSafetyMargin>0.01</ContactSafetyMargin>"
+                 "<DeformableFrictionCoefficient>0.25</DeformableFrictionCoefficient><TimeStep>");
+  const auto model = parsed(xml);
+  EXPECT_TRUE(model.contact.self);
+  EXPECT_TRUE(model.contact.between_bodies);
+  EXPECT_EQ(model.contact.friction, 0.25);
+  EXPECT_EQ(model.contact.offset, 0.01);
+  EXPECT_EQ(model.contact.distance.value_or(0), 0.1);
+  EXPECT_EQ(model.contact.nodes, (std::vector<int>{8, 9, 10}));
+  ASSERT_EQ(model.bodies_by_name.size(), 2U);
+  EXPECT_EQ(model.bodies_by_name[1].name, "right");
+  EXPECT_EQ(model.bodies_by_name[1].first, 5);
+  EXPECT_EQ(model.bodies_by_name[1].count, 5);
+  ASSERT_EQ(model.contact.pairs.size(), 2U);
+  EXPECT_EQ(model.contact.pairs[0].friction.value_or(0), 0.5);
+  EXPECT_FALSE(model.contact.pairs[1].touch);
+  EXPECT_NE(message_of(replaced(xml, "Name=\"right\"", "Name=\"left\"")).find("used twice"),
+            std::string::npos);
+}
+
 TEST(FormatTime, EveryElementOfSystemParams) {
   const auto model = parsed(replaced(
       replaced(base_xml, "<Model>", "<Model units=\"SI\">"), "<TimeStep>0.001</TimeStep>",

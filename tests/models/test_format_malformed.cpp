@@ -144,7 +144,6 @@ const Bad bad_files[] = {
      "did you mean ForceTolerance?"},
     // not built
     {"<DampingCoeff>", "<ROM>1</ROM><DampingCoeff>", 26, "not supported yet"},
-    {"<DampingCoeff>", "<DoSelfCollision>1</DoSelfCollision><DampingCoeff>", 26, "not supported yet"},
     // membranes and shells
     {"<SystemParams>", SHELLS("<ShellElements/>", ""), 23, "Type is missing"},
     {"<SystemParams>", SHELLS("<ShellElements Type=\"SURFAC\"/>", ""), 23, "did you mean SURFACE?"},
@@ -240,6 +239,20 @@ const Bad bad_files[] = {
     {"<SystemParams>", FLOOR("NumEls=\"1\" Type=\"T3\">0 1 2", "<SlaveNodes>8</SlaveNodes>"), 23, "8"},
     {"<SystemParams>", "<KinematicContact/><SystemParams>", 23, "not supported yet"},
     {"<SystemParams>", "<ReducedBasis NumVectors=\"3\"/><SystemParams>", 23, "not supported yet"},
+    // contact of deformable bodies
+    {"<DampingCoeff>", "<DoSelfCollision>yes</DoSelfCollision><DampingCoeff>", 26, "whole number"},
+    {"<DampingCoeff>", "<DeformableFrictionCoefficient>-1</DeformableFrictionCoefficient><DampingCoeff>", 26,
+     "must not be negative"},
+    {"<DampingCoeff>", "<ContactSafetyMargin>-1</ContactSafetyMargin><DampingCoeff>", 26,
+     "must not be negative"},
+    {"<DampingCoeff>", "<RateConstraintDistance>-1</RateConstraintDistance><DampingCoeff>", 26,
+     "must not be negative"},
+    {"<DampingCoeff>", "<BVType>AAB</BVType><DampingCoeff>", 26, "did you mean AABB?"},
+    {"<SystemParams>", "<ContactPair A=\"x\"/><SystemParams>", 23, "B is missing"},
+    {"<SystemParams>", "<ContactPair A=\"x\" B=\"y\"/><SystemParams>", 23, "no SubModel has Name=\"x\""},
+    {"<SystemParams>", "<ContactPair A=\"x\" B=\"y\" Touch=\"2\"/><SystemParams>", 23, "Touch"},
+    {"<SystemParams>", "<ContactNodes/><SystemParams>", 23, "empty"},
+    {"<SystemParams>", "<ContactNodes>0 8</ContactNodes><SystemParams>", 23, "index 8"},
     // bodies, sub-models, output
     {"<SystemParams>", "<ContactPlate><a>0 0 0</a><b>1 0 0</b></ContactPlate><SystemParams>", 23,
      "<c> is missing"},

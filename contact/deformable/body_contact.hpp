@@ -1,0 +1,197 @@
+// Contact of deformable bodies with each other and with themselves (Johnsen 2016, chapter 5) as a provider of
+// a backend. Include it only where a backend is instantiated.
+//
+// A step: positions as predicted; one contact at most per slot; forces of all
+// contacts together. Candidates come from a bounding volume hierarchy on the host and hold until a node has
+// moved farther than `room`. All sums have a fixed order.
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include <glisson/contact/deformable/candidate_lists.hpp>
+#include <glisson/contact/deformable/start_overlap.hpp>
+#include <glisson/contact/deformable/surface_state.hpp>
+#include <glisson/core/contact_report.hpp>
+
+namespace glisson::contact {
+
+constexpr int contact_iterations = 10;
+
+template <Backend B, class R>
+class BodyContact final : public ForceProvider<R>, public ContactSource {
+ public:
+  /// The backend must outlive it. Throws Error(input) for a surface without an inside, a pair that names no
+  /// body and bodies that start in each other too deep.
+  BodyContact(B& backend, const Model& model, const Numbering& numbering)
+      : backend_(backend),
+        mesh_(contact_mesh(model)),
+        rules_(model, mesh_),
+        distances_(contact_distances(model.contact, mesh_)),
+        start_depth_(start_depth(mesh_, rules_, distances_)),
+        search_(mesh_, rules_, distances_.reach),
+        surface_(backend, mesh_, model, numbering),
+        lists_(backend, mesh_),
+        work_(backend, mesh_.node_count()) {
+    for (const int n : mesh_.nodes) internal_.push_back(detail::internal_node(numbering, n));
+  }
+
+  std::string_view name() const override { return "contact of deformable bodies"; }
+  Space space() const override { return B::space; }
+  bool needs_prediction() const override { return true; }
+  double work() const override { return work_.total(); }
+
+  void add_forces(const StepView<R>& step) override {
+    const auto start = std::chrono::steady_clock::now();
+    const Extent<R> extent = surface_.place(step, lists_.force().get());
+    const bool lost = !std::isfinite(double(extent.drift));  // the energy account names the node
+    if (!lost && (!listed_ || !(double(extent.drift) < room_ * room_)))
+      search(std::sqrt(double(extent.motion)));
+    if (!lost) resolve(4 * std::sqrt(double(extent.motion)) > distances_.reach);
+    work_.run(step, lists_.internal_nodes(), lists_.found_force(), lists_.node_count());
+    seconds_ += since(start);
+  }
+
+  ContactReport report() const override;
+  void add_node_forces(std::vector<Vec3<double>>& f) const override {
+    std::vector<Vec4<R>> last(internal_.size());
+    backend_.copy_out(lists_.force().get(), last.data(), last.size());
+    for (std::size_t k = 0; k < last.size(); ++k) {
+      Vec3<double>& sum = f[std::size_t(internal_[k])];
+      sum = sum + Vec3<double>{double(last[k].x), double(last[k].y), double(last[k].z)};
+    }
+  }
+  std::vector<std::byte> save() const override;
+  void load(std::span<const std::byte> bytes) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  /// Candidates for nodes that move up to 3 such steps or `room` without another search.
+  void search(double motion) {
+    const auto start = Clock::now();
+    room_ = std::max(distances_.room, 3 * motion);
+    surface_.mark();
+    lists_.still_pushed(extra_);
+    list(extra_);
+    search_seconds_ += since(start);
+  }
+  void list(const std::vector<int>& extra) {
+    surface_.reference_to(x_);
+    lists_.put(search_.find(x_, room_ + 0.5 * distances_.reach), extra, internal_);
+    listed_ = true;
+  }
+  void resolve(bool fast) {
+    const SurfaceView<R> surface = surface_.view();
+    const TouchLimits<R> limits{R(distances_.reach), R(distances_.offset), R(distances_.close),
+                                R(distances_.slack)};
+    const PushedNodes<R> pushed = lists_.pushed();
+    const int slots = lists_.slots(), nodes = lists_.node_count();
+    if (nodes == 0) return;
+    backend_.for_each(lists_.groups(), lists_.find_facets(surface, limits, fast));
+    backend_.for_each(slots - lists_.groups(), lists_.find_edges(surface, limits));
+    backend_.for_each(nodes, ListPushing<R>{pushed, lists_.touches(), surface.to, surface.guess});
+    backend_.for_each(slots, SetGain<R>{lists_.touches(), pushed.share});
+    double momentum = 1;  // Nesterov's t
+    for (int i = 0; i < contact_iterations; ++i) {
+      const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum * momentum));
+      const double ahead = i + 1 < contact_iterations ? (momentum - 1) / next : 0;
+      momentum = next;
+      backend_.for_each(slots, PushTouches<R>{lists_.touches(), pushed.moved, R(ahead)});
+      backend_.for_each(nodes, MovePushed<R>{pushed, lists_.touches(), surface});
+    }
+  }
+
+  B& backend_;
+  ContactMesh mesh_;
+  ContactRules rules_;
+  ContactDistances distances_;
+  double start_depth_;
+  CandidateSearch search_;
+  SurfaceState<B, R> surface_;
+  CandidateLists<B, R> lists_;
+  ListWork<B, R> work_;
+  std::vector<int> internal_;  ///< internal node of each surface node
+  std::vector<int> extra_;
+  std::vector<Vec3<double>> x_;
+  bool listed_ = false;
+  double room_ = 0;  ///< of the present candidates [m]
+  double seconds_ = 0, search_seconds_ = 0;
+};
+
+template <Backend B, class R>
+ContactReport BodyContact<B, R>::report() const {
+  ContactReport report;
+  std::vector<Touch<R>> touches(std::size_t(lists_.slots()));
+  if (!touches.empty()) backend_.copy_out(lists_.touches(), touches.data(), touches.size());
+  for (const Touch<R>& t : touches) {
+    if (!t.used) continue;
+    report.depth = std::max(report.depth, -double(t.before));
+    report.node_count += t.pressing > R(0);
+  }
+  std::vector<R> deepest(internal_.size());
+  backend_.copy_out(lists_.deepest().get(), deepest.data(), deepest.size());
+  for (const R depth : deepest) report.largest_depth = std::max(report.largest_depth, double(depth));
+  report.start_depth = start_depth_;
+  const SearchCounts& counts = search_.counts();
+  report.search = {counts.searches,
+                   counts.volumes_refitted,
+                   counts.subtrees_tested,
+                   counts.triangle_pairs,
+                   lists_.candidates(),
+                   search_seconds_,
+                   seconds_};
+  return report;
+}
+
+/// The candidates are found again from the positions that they were found from.
+template <Backend B, class R>
+std::vector<std::byte> BodyContact<B, R>::save() const {
+  std::vector<std::uint8_t> listed(internal_.size(), 0);
+  for (const int k : lists_.host_nodes()) listed[std::size_t(k)] = 1;
+  detail::ByteWriter out;
+  out.value(std::int64_t(listed_)).value(room_);
+  for (const std::uint8_t its : listed) out.value(its);
+  out.buffer(backend_, surface_.reference(), internal_.size())
+      .buffer(backend_, lists_.force(), internal_.size())
+      .buffer(backend_, lists_.last(), internal_.size())
+      .buffer(backend_, lists_.deepest(), internal_.size());
+  work_.save(out);
+  for (const R pressing : lists_.pressing()) out.value(pressing);
+  return out.take();
+}
+
+template <Backend B, class R>
+void BodyContact<B, R>::load(std::span<const std::byte> bytes) {
+  detail::ByteReader in(bytes, std::string(name()));
+  std::int64_t listed = 0;
+  in.value(listed);
+  in.value(room_);
+  std::vector<int> nodes;
+  for (std::size_t k = 0; k < internal_.size(); ++k) {
+    std::uint8_t its = 0;
+    in.value(its);
+    if (its) nodes.push_back(static_cast<int>(k));
+  }
+  surface_.load(in);
+  in.buffer(backend_, lists_.force(), internal_.size());
+  in.buffer(backend_, lists_.last(), internal_.size());
+  in.buffer(backend_, lists_.deepest(), internal_.size());
+  work_.load(in);
+  if (listed) list(nodes);
+  std::vector<R> pressing(std::size_t(lists_.slots()));
+  for (R& its : pressing) in.value(its);
+  in.end();
+  lists_.set_pressing(pressing);
+}
+
+/// Appends the contact of deformable bodies if the model wants it.
+template <Backend B, class R>
+void add_body_contact(B& backend, const Model& model, const Numbering& numbering,
+                      std::vector<std::unique_ptr<ForceProvider<R>>>& to) {
+  if (model.contact.wanted()) to.push_back(std::make_unique<BodyContact<B, R>>(backend, model, numbering));
+}
+
+}  // namespace glisson::contact

@@ -1,0 +1,177 @@
+// The candidates of the last search in a backend's memory, with what belongs to their slots and nodes.
+#pragma once
+
+#include <algorithm>
+
+#include <glisson/contact/deformable/candidates.hpp>
+#include <glisson/contact/deformable/find_touches.hpp>
+#include <glisson/contact/deformable/resizable.hpp>
+#include <glisson/contact/deformable/resolve_touches.hpp>
+
+namespace glisson::contact {
+
+template <Backend B, class R>
+class CandidateLists {
+ public:
+  CandidateLists(B& backend, const ContactMesh& mesh)
+      : backend_(backend),
+        edges_(detail::upload(backend, edges_of(mesh))),
+        group_node_(backend),
+        group_begin_(backend),
+        facets_(backend),
+        pairs_(backend),
+        nodes_(backend),
+        internal_(backend),
+        incident_begin_(backend),
+        incident_(backend),
+        pushing_(backend),
+        pushing_count_(backend),
+        bias_(backend),
+        friction_(backend),
+        touches_(backend),
+        share_(detail::zeros<R>(backend, mesh.nodes.size())),
+        deepest_(detail::zeros<R>(backend, mesh.nodes.size())),
+        moved_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
+        force_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
+        last_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
+        host_(mesh.nodes.size()) {}
+
+  /// Lists of a search. `extra`: rising nodes that no slot pushes but whose last force has yet to end.
+  /// internal: internal node of each surface node.
+  void put(const Candidates& found, const std::vector<int>& extra, const std::vector<int>& internal) {
+    groups_ = found.group_count();
+    slots_ = found.slot_count();
+    candidates_ = static_cast<std::int64_t>(found.facets.size() + found.edge_pairs.size());
+    group_node_.put(found.group_node);
+    group_begin_.put(found.group_begin);
+    facets_.put(found.facets);
+    host_reals_.assign(found.bias.begin(), found.bias.end());
+    bias_.put(host_reals_);
+    host_pairs_.clear();
+    for (const auto& [a, b] : found.edge_pairs) host_pairs_.insert(host_pairs_.end(), {a, b});
+    pairs_.put(host_pairs_);
+    host_reals_.assign(found.group_friction.begin(), found.group_friction.end());
+    host_reals_.insert(host_reals_.end(), found.edge_friction.begin(), found.edge_friction.end());
+    friction_.put(host_reals_);
+    put_touches(found);
+    put_nodes(found, extra, internal);
+  }
+  int groups() const { return groups_; }
+  std::int64_t candidates() const { return candidates_; }  ///< node-facet and edge-edge pairs
+  int slots() const { return slots_; }
+  int node_count() const { return static_cast<int>(host_nodes_.size()); }
+  const std::vector<int>& host_nodes() const { return host_nodes_; }
+  const int* internal_nodes() const { return internal_.get(); }
+  Touch<R>* touches() const { return touches_.get(); }
+
+  FindFacetTouch<R> find_facets(const SurfaceView<R>& surface, const TouchLimits<R>& limits,
+                                bool fast) const {
+    return {surface,     group_node_.get(), group_begin_.get(), facets_.get(),
+            bias_.get(), friction_.get(),   touches_.get(),     limits,
+            fast};
+  }
+  FindEdgeTouch<R> find_edges(const SurfaceView<R>& surface, const TouchLimits<R>& limits) const {
+    return {surface, edges_.get(), pairs_.get(), friction_.get() + groups_, touches_.get() + groups_, limits};
+  }
+  PushedNodes<R> pushed() const {
+    return {nodes_.get(), incident_begin_.get(), incident_.get(), pushing_.get(), pushing_count_.get(),
+            share_.get(), deepest_.get(),        moved_.get(),    force_.get()};
+  }
+  FoundForce<R> found_force() const { return {nodes_.get(), force_.get(), last_.get()}; }
+  /// Multipliers of all slots [N], which the next step starts from.
+  std::vector<R> pressing() const {
+    std::vector<Touch<R>> touches(host_keys_.size());
+    if (!touches.empty()) backend_.copy_out(touches_.get(), touches.data(), touches.size());
+    std::vector<R> result;
+    for (const Touch<R>& t : touches) result.push_back(t.pressing);
+    return result;
+  }
+  void set_pressing(const std::vector<R>& pressing) {
+    host_touches_.assign(pressing.size(), Touch<R>{});
+    for (std::size_t c = 0; c < pressing.size(); ++c) host_touches_[c].pressing = pressing[c];
+    touches_.put(host_touches_);
+  }
+  const Buffer<Vec4<R>>& force() const { return force_; }
+  const Buffer<Vec4<R>>& last() const { return last_; }
+  const Buffer<R>& deepest() const { return deepest_; }
+  /// Surface nodes that were pushed in the last step, rising; or in the last one whose work was counted.
+  void still_pushed(std::vector<int>& nodes) {
+    std::vector<Vec4<R>>& its = host_;
+    nodes.clear();
+    for (const Buffer<Vec4<R>>* forces : {&force_, &last_}) {
+      backend_.copy_out(forces->get(), its.data(), its.size());
+      for (std::size_t k = 0; k < its.size(); ++k)
+        if (its[k].x != R(0) || its[k].y != R(0) || its[k].z != R(0)) nodes.push_back(static_cast<int>(k));
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  }
+
+ private:
+  static std::vector<EdgeCorners> edges_of(const ContactMesh& mesh) {
+    std::vector<EdgeCorners> result;
+    for (const ContactEdge& e : mesh.edges)
+      result.push_back({{e.node[0], e.node[1]}, {e.opposite[0], e.opposite[1]}});
+    return result;
+  }
+  using Key = std::array<int, 3>;  ///< of a slot: what meets what, rising like the slots
+  static void append_keys(const Candidates& found, std::vector<Key>& keys) {
+    for (std::size_t g = 0; g < found.group_node.size(); ++g)
+      keys.push_back({0, found.group_node[g], found.group_region[g]});
+    for (const auto& [a, b] : found.edge_pairs) keys.push_back({1, a, b});
+  }
+  /// Contacts that were candidates before keep their multiplier.
+  void put_touches(const Candidates& found) {
+    const std::vector<R> before = pressing();
+    host_old_keys_.swap(host_keys_);
+    host_keys_.clear();
+    append_keys(found, host_keys_);
+    host_pressing_.assign(host_keys_.size(), R(0));
+    std::size_t old = 0;
+    for (std::size_t c = 0; c < host_keys_.size(); ++c) {
+      while (old < before.size() && host_old_keys_[old] < host_keys_[c]) ++old;
+      if (old < before.size() && host_old_keys_[old] == host_keys_[c]) host_pressing_[c] = before[old];
+    }
+    set_pressing(host_pressing_);
+  }
+  /// Merges both rising lists; the extra ones have no slots.
+  void put_nodes(const Candidates& found, const std::vector<int>& extra, const std::vector<int>& internal) {
+    host_nodes_.clear();
+    host_begin_.assign(1, 0);
+    std::size_t i = 0, j = 0;
+    while (i < found.nodes.size() || j < extra.size()) {
+      const bool pushed = i < found.nodes.size() && (j == extra.size() || found.nodes[i] <= extra[j]);
+      const int node = pushed ? found.nodes[i] : extra[j];
+      if (j < extra.size() && extra[j] == node) ++j;
+      host_nodes_.push_back(node);
+      if (pushed) ++i;
+      host_begin_.push_back(found.incident_begin[i]);
+    }
+    host_internal_.clear();
+    for (const int k : host_nodes_) host_internal_.push_back(internal[std::size_t(k)]);
+    nodes_.put(host_nodes_);
+    internal_.put(host_internal_);
+    incident_begin_.put(host_begin_);
+    incident_.put(found.incident);
+    pushing_.resize(found.incident.size());
+    pushing_count_.resize(host_nodes_.size());
+  }
+
+  B& backend_;
+  int groups_ = 0, slots_ = 0;
+  std::int64_t candidates_ = 0;
+  Buffer<EdgeCorners> edges_;
+  Resizable<B, int> group_node_, group_begin_, facets_, pairs_, nodes_, internal_, incident_begin_, incident_,
+      pushing_, pushing_count_;
+  Resizable<B, R> bias_, friction_;
+  Resizable<B, Touch<R>> touches_;
+  Buffer<R> share_, deepest_;  ///< [surface nodes], like those below
+  Buffer<Vec4<R>> moved_, force_, last_;
+  std::vector<Vec4<R>> host_;
+  std::vector<int> host_nodes_, host_begin_, host_internal_, host_pairs_;
+  std::vector<R> host_reals_, host_pressing_;
+  std::vector<Touch<R>> host_touches_;
+  std::vector<Key> host_keys_, host_old_keys_;
+};
+
+}  // namespace glisson::contact

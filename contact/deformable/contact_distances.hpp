@@ -1,0 +1,18 @@
+// The distances that contact between deformable bodies works with.
+#pragma once
+
+#include <glisson/contact/deformable/contact_rules.hpp>
+
+namespace glisson::contact {
+
+/// [m]
+struct ContactDistances {
+  double offset = 0;  ///< gap that surfaces keep
+  double close = 0;   ///< above the offset: an approach is slowed
+  double reach = 0;   ///< contacts are looked for up to here, on both sides of a facet
+  double slack = 0;   ///< depth that is resolved in one step
+  double room = 0;    ///< how far nodes may move before candidates are searched anew
+};
+ContactDistances contact_distances(const DeformableContact& contact, const ContactMesh& mesh);
+
+}  // namespace glisson::contact

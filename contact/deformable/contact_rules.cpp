@@ -1,0 +1,47 @@
+#include <glisson/contact/deformable/contact_rules.hpp>
+
+#include <algorithm>
+
+#include <glisson/core/base/error.hpp>
+
+namespace glisson::contact {
+namespace {
+
+int body_named(const Model& model, const ContactPair& pair, const std::string& name) {
+  for (std::size_t k = 0; k < model.bodies_by_name.size(); ++k)
+    if (model.bodies_by_name[k].name == name) return static_cast<int>(k) + 1;
+  throw Error(ErrorKind::input, "there is no sub-model with the name '" + name + "'", {"", 0, pair.where});
+}
+
+}  // namespace
+
+ContactRules::ContactRules(const Model& model, const ContactMesh& mesh)
+    : between_(model.contact.between_bodies),
+      self_(model.contact.self),
+      any_self_(model.contact.self),
+      friction_(model.contact.friction),
+      part_(mesh.part_of_region),
+      body_(mesh.body_of_region) {
+  for (const ContactPair& pair : model.contact.pairs) {
+    const int a = body_named(model, pair, pair.a), b = body_named(model, pair, pair.b);
+    pairs_[std::minmax(a, b)] = {pair.touch, pair.friction.value_or(friction_)};
+    any_self_ = any_self_ || (a == b && pair.touch);
+  }
+}
+
+const ContactRules::Rule* ContactRules::named(int a, int b) const {
+  const auto found = pairs_.find(std::minmax(body_[std::size_t(a)], body_[std::size_t(b)]));
+  return found == pairs_.end() ? nullptr : &found->second;
+}
+
+bool ContactRules::may_touch(int a, int b) const {
+  if (const Rule* rule = named(a, b)) return rule->touch;
+  return part_[std::size_t(a)] == part_[std::size_t(b)] ? self_ : between_;
+}
+
+double ContactRules::friction(int a, int b) const {
+  const Rule* rule = named(a, b);
+  return rule ? rule->friction : friction_;
+}
+
+}  // namespace glisson::contact

@@ -1,0 +1,144 @@
+// Forces of all contacts of a step at once: loop bodies of a projected Jacobi iteration.
+//
+// Johnsen 2016 computes each contact's force as if it were alone and then keeps, at every node, the largest
+// projection on the mean direction (algorithm 5.3). That changes the two sides of a contact by different
+// factors, so that momentum is not conserved. Here every contact keeps one multiplier for both sides, and the
+// multipliers are found together: lambda <- max(0, lambda + gain (target - gap(lambda))), with the gain
+// 1 / sum_n |w_n| / m_n sum_c' |w_c'n| of all contacts c' at the nodes n. That row sum bounds the matrix of
+// the constraints, so the iteration converges for every mesh (Gershgorin), and a single contact gets its
+// whole force at once. Friction follows in the same way, bounded by mu lambda (eq. 5.24-5.25).
+#pragma once
+
+#include <glisson/contact/deformable/surface_view.hpp>
+#include <glisson/contact/deformable/touch.hpp>
+
+namespace glisson::contact {
+
+/// Nodes of the present candidates and the slots that may push each.
+template <class R>
+struct PushedNodes {
+  const int* nodes;           ///< of the surface                          [count]
+  const int* incident_begin;  ///<                                         [count + 1]
+  const int* incident;        ///< slots
+  int* pushing;               ///< 4 slot + corner of those that do        [incident]
+  int* pushing_count;         ///<                                         [count]
+  R* share;                   ///< motion by a unit force in each contact [m/N]  [surface nodes]
+  R* deepest;                 ///< deepest it was behind a facet since the start [m]  [surface nodes]
+  Vec4<R>* moved;  ///< by contact in this step less what it was in the last one [m]  [surface nodes]
+  Vec4<R>* force;  ///< [N]                                     [surface nodes]
+};
+
+/// Which contacts push node i, and its share in what they move.
+template <class R>
+struct ListPushing {
+  static constexpr int cost = 30;
+  PushedNodes<R> nodes;
+  const Touch<R>* touches;
+  const Vec4<R>*to, *guess;  ///< of SurfaceView
+
+  GLISSON_HD void operator()(int i) const {
+    const int k = nodes.nodes[i];
+    int count = 0;
+    R sum = R(0), deepest = nodes.deepest[k];
+    for (int j = nodes.incident_begin[i]; j < nodes.incident_begin[i + 1]; ++j) {
+      const Touch<R>& t = touches[nodes.incident[j]];
+      if (!t.used) continue;
+      for (int m = 0; m < 4; ++m) {
+        if (t.node[m] != k) continue;
+        nodes.pushing[nodes.incident_begin[i] + count++] = 4 * nodes.incident[j] + m;
+        sum += t.weight[m] < R(0) ? -t.weight[m] : t.weight[m];
+        if (-t.before > deepest) deepest = -t.before;
+        break;
+      }
+    }
+    nodes.pushing_count[i] = count;
+    nodes.share[k] = to[k].w * sum;
+    nodes.deepest[k] = deepest;
+    const Vec3<R> unmoved = R(-1) * xyz(guess[k]);
+    nodes.moved[k] = {unmoved.x, unmoved.y, unmoved.z, R(0)};
+    nodes.force[k] = {};
+  }
+};
+
+template <class R>
+struct SetGain {
+  Touch<R>* touches;
+  const R* share;
+
+  GLISSON_HD void operator()(int c) const {
+    Touch<R>& t = touches[c];
+    if (!t.used) return;
+    R sum = R(0);
+    for (int m = 0; m < 4; ++m) sum += (t.weight[m] < R(0) ? -t.weight[m] : t.weight[m]) * share[t.node[m]];
+    t.gain = sum > R(0) ? R(1) / sum : R(0);  // 0: both sides are held
+  }
+};
+
+template <class R>
+struct PushTouches {
+  static constexpr int cost = 10;
+  Touch<R>* touches;
+  const Vec4<R>* moved;
+  R ahead;  ///< share of the last change that is added; 0 in the last iteration
+
+  GLISSON_HD void operator()(int c) const {
+    Touch<R>& t = touches[c];
+    if (!t.used) return;
+    Vec3<R> d;
+    for (int m = 0; m < 4; ++m) d = d + t.weight[m] * xyz(moved[t.node[m]]);
+    const R along = dot(d, t.normal);
+    const R pressing = positive(t.pressing_ahead + t.gain * (t.target - t.gap - along));
+    t.pressing_ahead = positive(pressing + ahead * (pressing - t.pressing));
+    t.pressing = pressing;
+    if (t.friction > R(0)) {
+      const Vec3<R> rubbing =
+          bounded(t.rubbing_ahead - t.gain * (t.slip + d - along * t.normal), t.friction * t.pressing);
+      t.rubbing_ahead = bounded(rubbing + ahead * (rubbing - t.rubbing), t.friction * t.pressing_ahead);
+      t.rubbing = rubbing;
+    }
+    t.force = t.pressing_ahead * t.normal + t.rubbing_ahead;
+  }
+
+ private:
+  GLISSON_HD static R positive(R a) { return a > R(0) ? a : R(0); }
+  GLISSON_HD static Vec3<R> bounded(const Vec3<R>& a, R most) {
+    const R squared = dot(a, a);
+    return squared > most * most ? (most / square_root(squared)) * a : a;
+  }
+};
+
+/// Sums the forces on node i; its motion is told relative to that of the last step's force, at which the
+/// gaps were measured.
+template <class R>
+struct MovePushed {
+  static constexpr int cost = 20;
+  PushedNodes<R> nodes;
+  const Touch<R>* touches;
+  SurfaceView<R> surface;
+
+  GLISSON_HD void operator()(int i) const {
+    const int k = nodes.nodes[i], first = nodes.incident_begin[i];
+    Vec3<R> f;
+    for (int j = first; j < first + nodes.pushing_count[i]; ++j) {
+      const Touch<R>& t = touches[nodes.pushing[j] / 4];
+      f = f + t.weight[nodes.pushing[j] % 4] * t.force;
+    }
+    nodes.force[k] = {f.x, f.y, f.z, R(0)};
+    const Vec3<R> moved = surface.moved_by(k, nodes.force[k]) - xyz(surface.guess[k]);
+    nodes.moved[k] = {moved.x, moved.y, moved.z, R(0)};
+  }
+};
+
+/// What ListWork adds: the forces found above.
+template <class R>
+struct FoundForce {
+  const int* list;       ///< surface nodes of the entries
+  const Vec4<R>* found;  ///< [N]  [surface nodes]
+  Vec4<R>* last;         ///< [N]  [surface nodes]
+
+  GLISSON_HD Vec3<R> force(int i, int) const { return xyz(found[list[i]]); }
+  GLISSON_HD Vec3<R> before(int i, int) const { return xyz(last[list[i]]); }
+  GLISSON_HD void remember(int i, const Vec3<R>& g) const { last[list[i]] = {g.x, g.y, g.z, R(0)}; }
+};
+
+}  // namespace glisson::contact

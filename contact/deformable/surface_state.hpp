@@ -1,0 +1,107 @@
+// The surface of the deformable bodies in a backend's memory.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glisson/contact/deformable/contact_mesh.hpp>
+#include <glisson/contact/deformable/surface_view.hpp>
+#include <glisson/core/constraints/constraint_list.hpp>
+#include <glisson/core/loads/node_list.hpp>
+
+namespace glisson::contact {
+
+/// Axes along which each surface node can move: not fixed, not prescribed, no plane across them. Planes that
+/// are not across an axis are left out: contact then gives way a little along their normal.
+std::vector<int> free_axes_of(const ContactMesh& mesh, const Model& model, const Numbering& numbering);
+
+template <Backend B, class R>
+class SurfaceState {
+ public:
+  SurfaceState(B& backend, const ContactMesh& mesh, const Model& model, const Numbering& numbering)
+      : backend_(backend),
+        count_(mesh.node_count()),
+        nodes_(detail::upload(backend, internal_nodes(mesh, numbering))),
+        X_(detail::upload(backend, rest(mesh))),
+        free_axes_(detail::upload(backend, free_axes_of(mesh, model, numbering))),
+        triangles_(detail::upload(backend, corners(mesh.triangles))),
+        to_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
+        motion_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
+        guess_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
+        reference_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
+        extents_(detail::zeros<Extent<R>>(backend, std::size_t(chunk_count()))),
+        host_extents_(std::size_t(chunk_count())),
+        host_(mesh.nodes.size()) {}
+
+  int count() const { return count_; }
+  const int* nodes() const { return nodes_.get(); }
+  const Buffer<Vec4<R>>& reference() const { return reference_; }
+  SurfaceView<R> view() const {
+    return {nodes_.get(), X_.get(),      free_axes_.get(), triangles_.get(),
+            to_.get(),    motion_.get(), guess_.get()};
+  }
+
+  /// Takes the positions of a step that starts with last step's contact forces; returns the largest squares
+  /// of drift and motion, NaN if any is.
+  Extent<R> place(const StepView<R>& step, const Vec4<R>* force) {
+    backend_.for_each(chunk_count(),
+                      PlaceSurface<R>{view(), step.u, step.u_predicted, step.v, force, reference_.get(),
+                                      extents_.get(), step.advance_per_force, count_});
+    backend_.copy_out(extents_.get(), host_extents_.data(), host_extents_.size());
+    Extent<R> all;
+    for (const Extent<R>& e : host_extents_) {
+      all.drift = std::isnan(e.drift) ? e.drift : std::max(all.drift, e.drift);
+      all.motion = std::isnan(e.motion) ? e.motion : std::max(all.motion, e.motion);
+      if (std::isnan(all.drift)) break;
+    }
+    return all;
+  }
+  /// From now on drift is measured from the present predicted positions.
+  void mark() {
+    backend_.copy_out(to_.get(), host_.data(), host_.size());
+    set_reference();
+  }
+  void load(detail::ByteReader& in) {
+    in.buffer(backend_, reference_, host_.size());
+    backend_.copy_out(reference_.get(), host_.data(), host_.size());
+  }
+  /// Positions that drift is measured from, on the host.
+  void reference_to(std::vector<Vec3<double>>& x) const {
+    x.resize(host_.size());
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = {double(host_[k].x), double(host_[k].y), double(host_[k].z)};
+  }
+
+ private:
+  int chunk_count() const { return (count_ + PlaceSurface<R>::chunk - 1) / PlaceSurface<R>::chunk; }
+  void set_reference() { backend_.copy_in(host_.data(), reference_.get(), host_.size()); }
+  static std::vector<int> internal_nodes(const ContactMesh& mesh, const Numbering& numbering) {
+    std::vector<int> result;
+    for (const int n : mesh.nodes) result.push_back(detail::internal_node(numbering, n));
+    return result;
+  }
+  static std::vector<Vec4<R>> rest(const ContactMesh& mesh) {
+    std::vector<Vec4<R>> result;
+    for (const auto& X : mesh.X) result.push_back(detail::narrow<R>(X));
+    return result;
+  }
+  static std::vector<Corners> corners(const std::vector<std::array<int, 3>>& from) {
+    std::vector<Corners> result;
+    for (const auto& c : from) result.push_back({{c[0], c[1], c[2]}});
+    return result;
+  }
+
+  B& backend_;
+  int count_;
+  Buffer<int> nodes_;
+  Buffer<Vec4<R>> X_;
+  Buffer<int> free_axes_;
+  Buffer<Corners> triangles_;
+  Buffer<Vec4<R>> to_, motion_, guess_, reference_;
+  Buffer<Extent<R>> extents_;
+  std::vector<Extent<R>> host_extents_;
+  std::vector<Vec4<R>> host_;  ///< copy of reference_
+};
+
+}  // namespace glisson::contact

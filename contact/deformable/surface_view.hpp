@@ -1,0 +1,81 @@
+// Loop body that follows the surface: where its nodes go in a step.
+#pragma once
+
+#include <glisson/contact/geometry/smooth_normal.hpp>
+#include <glisson/core/loads/list_forces.hpp>
+
+namespace glisson::contact {
+
+struct Corners {
+  int n[3];
+};
+
+/// The surface on the backend; nodes are numbered within it.
+template <class R>
+struct SurfaceView {
+  const int* nodes;          ///< internal node                              [node_count]
+  const Vec4<R>* X;          ///< rest position [m]                          [node_count]
+  const int* free_axes;      ///< bit mask of axes that are not constrained  [node_count]
+  const Corners* triangles;  ///<                                            [triangle_count]
+  /// Position at the end of the step if contact pushes as in the last one [m]: near the true one, so that
+  /// feet and normals are those of surfaces that touch; w: what a force moves the node by [m/N].
+  Vec4<R>* to;
+  Vec4<R>* motion;  ///< from the beginning of the step to there [m]  [node_count]
+  Vec4<R>* guess;   ///< what of it contact does [m]                  [node_count]
+
+  GLISSON_HD Vec3<R> position(int k) const { return xyz(to[k]); }
+  GLISSON_HD Vec3<R> position_before(int k) const { return xyz(to[k]) - xyz(motion[k]); }
+  /// Motion of a node by a contact force.
+  GLISSON_HD Vec3<R> moved_by(int k, const Vec4<R>& force) const {
+    const int free = free_axes[k];
+    const R mobility = to[k].w;
+    return {free & 1 ? mobility * force.x : R(0), free & 2 ? mobility * force.y : R(0),
+            free & 4 ? mobility * force.z : R(0)};
+  }
+};
+
+/// Largest squares over a chunk of nodes [m^2].
+template <class R>
+struct Extent {
+  R drift = R(0);   ///< of the distance from where the candidates were found, at both ends of the step
+  R motion = R(0);  ///< of the motion in the step
+};
+
+template <class R>
+struct PlaceSurface {
+  static constexpr int chunk = 64, cost = 4 * chunk;
+  SurfaceView<R> surface;
+  const Vec4<R>*u, *u_predicted, *v;  ///< w of v: 1/mass  [node_count]
+  const Vec4<R>* force;               ///< of contact in the last step [N]
+  const Vec4<R>* reference;           ///< positions that the candidates were found at [m]
+  Extent<R>* extents;                 ///< [ceil(node_count / chunk)]
+  R advance_per_force;                ///< [s^2]
+  int node_count;                     ///< of the surface
+
+  GLISSON_HD void operator()(int c) const {
+    const int end = node_count < (c + 1) * chunk ? node_count : (c + 1) * chunk;
+    Extent<R> extent;
+    for (int k = c * chunk; k < end; ++k) {
+      const int n = surface.nodes[k];
+      surface.to[k].w = advance_per_force * v[n].w;
+      const Vec3<R> push = surface.moved_by(k, force[k]);
+      const Vec3<R> d = (xyz(u_predicted[n]) - xyz(u[n])) + push;
+      const Vec3<R> p = xyz(surface.X[k]) + xyz(u_predicted[n]) + push;
+      surface.to[k] = {p.x, p.y, p.z, surface.to[k].w};
+      surface.motion[k] = {d.x, d.y, d.z, R(0)};
+      surface.guess[k] = {push.x, push.y, push.z, R(0)};
+      const Vec3<R> drift = p - xyz(reference[k]), before = drift - d;
+      widen(extent.drift, dot(drift, drift));
+      widen(extent.drift, dot(before, before));
+      widen(extent.motion, dot(d, d));
+    }
+    extents[c] = extent;
+  }
+
+ private:
+  GLISSON_HD static void widen(R& largest, R value) {
+    largest = value > largest || value != value ? value : largest;  // a NaN stays
+  }
+};
+
+}  // namespace glisson::contact

@@ -1,0 +1,81 @@
+// One contact of a node with a facet or of two edges: the constraint on the gap between them and the force
+// that keeps it.
+#pragma once
+
+#include <glisson/core/tensor/tensor.hpp>
+
+namespace glisson::contact {
+
+/// Distances of a run [m].
+template <class R>
+struct TouchLimits {
+  R reach = R(0);   ///< how deep behind a facet a node is still found
+  R offset = R(0);  ///< gap that surfaces keep
+  R close = R(0);   ///< epsilon_r of Johnsen 2016: gap below which an approach is slowed
+  R slack = R(0);   ///< depth that is resolved in one step; what lies deeper, from the start, in some
+};
+
+/// gap = normal . sum weight x - offset. The weights of one side sum to 1, those of the other to -1, so that
+/// the forces weight * force on the nodes have neither a resultant nor, along the normal, a moment.
+template <class R>
+struct Touch {
+  int node[4];       ///< of the surface
+  R weight[4];       ///< [-]
+  Vec3<R> normal;    ///< unit, from the side of weight < 0 to the other
+  R gap;             ///< at the end of the step if contact pushes as in the last one [m]
+  R target;          ///< least gap at the end of the step [m]
+  R before;          ///< gap at the beginning of the step [m]
+  Vec3<R> slip;      ///< tangential motion during the step up to there [m]
+  R friction;        ///< [-]
+  R gain;            ///< force per gap that is missing [N/m]
+  R pressing;        ///< the multiplier lambda [N]
+  Vec3<R> rubbing;   ///< friction force [N]
+  R pressing_ahead;  ///< the same extrapolated along the last change
+  Vec3<R> rubbing_ahead;
+  Vec3<R> force;  ///< sum of the two ahead, on the side of weight > 0 [N]
+  bool used;      ///< otherwise only `pressing`, which is then 0, means anything
+};
+
+/// What the gap must be at the end of the step. Behind the surface: on it, as the penetration response of
+/// Johnsen 2016, eq. 5.13, demands; nodes that were deep at its beginning come out by a tenth a step. In
+/// front of it and nearer than `close`: the approach keeps the share gap / close of its speed
+/// (eq. 5.19-5.22). Returns false where nothing has to be done.
+/// predicted: the gap without any contact force [m]
+template <class R>
+GLISSON_HD bool set_target(Touch<R>& t, R predicted, const TouchLimits<R>& limits) {
+  const R closing = t.before - predicted;
+  if (predicted < R(0)) {
+    const R deep = t.before + limits.slack;
+    t.target = deep < R(0) ? R(0.9) * deep : R(0);
+    return t.target > predicted;
+  }
+  if (!(predicted < limits.close) || !(closing > R(0))) return false;
+  t.target = predicted + (R(1) - predicted / limits.close) * closing;
+  return true;
+}
+
+/// Share of its last multiplier that a contact starts with. Below 1 the errors of an iteration that has not
+/// converged die out; at 1 a contact that converges slowly could swing.
+constexpr double touch_memory = 0.95;
+
+/// Completes a touch whose nodes, weights, normal and gap are set; `pressing` is that of the last step.
+/// motion, guess: of SurfaceView
+template <class R>
+GLISSON_HD bool complete_touch(Touch<R>& t, const Vec4<R>* motion, const Vec4<R>* guess,
+                               const TouchLimits<R>& limits) {
+  Vec3<R> path, pushed;
+  for (int m = 0; m < 4; ++m) {
+    const Vec4<R> d = motion[t.node[m]];
+    const Vec4<R> g = guess[t.node[m]];
+    path = path + t.weight[m] * Vec3<R>{d.x, d.y, d.z};
+    pushed = pushed + t.weight[m] * Vec3<R>{g.x, g.y, g.z};
+  }
+  const R along = dot(path, t.normal);
+  t.before = t.gap - along;
+  t.slip = path - along * t.normal;
+  t.pressing = t.pressing_ahead = R(touch_memory) * t.pressing;
+  t.rubbing = t.rubbing_ahead = t.force = Vec3<R>{};
+  return set_target(t, t.gap - dot(pushed, t.normal), limits);
+}
+
+}  // namespace glisson::contact

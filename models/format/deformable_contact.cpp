@@ -1,0 +1,102 @@
+// Contact of deformable bodies: what SystemParams says about it, ContactNodes and ContactPair.
+#include <glisson/models/format/reader.hpp>
+#include <glisson/models/format/suggest.hpp>
+
+#include <algorithm>
+
+namespace glisson::detail {
+namespace {
+
+double not_negative(const XmlElement& element) {
+  const double value = element.number();
+  if (value < 0) element.fail("it is " + element.text() + ", but must not be negative");
+  return value;
+}
+
+bool switched_on(const XmlElement& system, const char* name) {
+  const auto element = system.child(name);
+  return element != nullptr && element->integer() != 0;
+}
+
+/// NiftySim 2.5 starts to slow an approach at ten times the margin.
+void read_distances(const XmlElement& system, DeformableContact& contact) {
+  if (const auto margin = system.child("ContactSafetyMargin")) {
+    contact.offset = not_negative(*margin);
+    if (contact.offset > 0) contact.distance = 10 * contact.offset;
+  }
+  if (const auto distance = system.child("RateConstraintDistance"))
+    if (const double value = not_negative(*distance); value > 0) contact.distance = value;
+}
+
+void check_hierarchy_type(const XmlElement& system) {
+  const auto type = system.child("BVType");
+  if (type == nullptr) return;
+  const std::vector<std::string> known{"AABB", "AABB2", "AABB4", "OBB", "OBB2", "OBB4"};
+  const auto name = type->required_text();
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    type->fail("'" + name + "' is not a kind of bounding volume" + suggestion(name, known));
+}
+
+void warn_of_unused(const Reader& reader, const XmlElement& system, bool wanted) {
+  for (const auto name : {"DoMultiPassContacts", "BVType"})
+    if (const auto element = system.child(name))
+      reader.warn(*element, wanted ? "it has no effect: all contacts of a step are solved together, and one "
+                                     "kind of bounding volume is used"
+                                   : "it has no effect: contact of deformable bodies is switched off");
+  if (wanted) return;
+  for (const auto name : {"DeformableFrictionCoefficient", "ContactSafetyMargin", "RateConstraintDistance"})
+    if (const auto element = system.child(name))
+      reader.warn(*element, "it has no effect: contact of deformable bodies is switched off");
+}
+
+ContactPair read_pair(const XmlElement& element) {
+  ContactPair pair;
+  pair.where = "ContactPair at line " + std::to_string(element.line);
+  pair.a = element.required_attribute("A");
+  pair.b = element.required_attribute("B");
+  if (const auto touch = element.integer_attribute("Touch")) pair.touch = *touch != 0;
+  if (const auto friction = element.child("FrictionCoefficient")) pair.friction = not_negative(*friction);
+  return pair;
+}
+
+void require_known(const XmlElement& element, const ContactPair& pair,
+                   const std::vector<NamedElements>& bodies) {
+  std::vector<std::string> names;
+  for (const NamedElements& body : bodies) names.push_back(body.name);
+  for (const std::string& name : {pair.a, pair.b})
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      element.fail("no SubModel has Name=\"" + name + "\"" + suggestion(name, names));
+}
+
+}  // namespace
+
+void read_deformable_contact(const Reader& reader, const XmlElement& model, Part& part) {
+  const auto& system = model.required_child("SystemParams");
+  DeformableContact& contact = part.model.contact;
+  contact.self = switched_on(system, "DoSelfCollision");
+  contact.between_bodies = contact.self || switched_on(system, "DoDeformableCollision");
+  read_distances(system, contact);
+  if (const auto friction = system.child("DeformableFrictionCoefficient"))
+    contact.friction = not_negative(*friction);
+  check_hierarchy_type(system);
+  warn_of_unused(reader, system, contact.wanted());
+  if (const auto nodes = model.child("ContactNodes")) {
+    contact.nodes =
+        index_list(*nodes, nodes->integer_attribute("NumNodes"), part.model.mesh.node_count(), "nodes");
+    if (contact.nodes.empty())
+      nodes->fail("the list of nodes is empty; without the element all surface nodes may touch");
+  }
+  for (const auto element : model.all("ContactPair")) {
+    contact.pairs.push_back(read_pair(*element));
+    require_known(*element, contact.pairs.back(), part.model.bodies_by_name);
+  }
+}
+
+void name_body(const XmlElement& sub_model, Part& part) {
+  const auto name = sub_model.attribute("Name");
+  if (name == nullptr) return;
+  if (name->value.empty()) sub_model.fail(name->line, "the Name is empty; leave it out or give one");
+  part.model.bodies_by_name.push_back({name->value, 0, part.model.mesh.element_count()});
+}
+
+}  // namespace glisson::detail

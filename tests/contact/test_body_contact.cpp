@@ -1,0 +1,219 @@
+// Deformable bodies in contact: exchange of momentum, a uniform stress through meshes that do not match,
+// restart, threads, what is refused.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include <tests/contact/bodies.hpp>
+#include <tests/support/same_bits.hpp>
+
+namespace glisson::test {
+namespace {
+
+class BodyContacts : public Matrix {};
+
+/// Two equal bars with nu = 0: the first flies at the second, whose mesh is another one across.
+Model two_bars(double v, double gap) {
+  Model model;
+  const double L = 0.1;
+  const Material rubber{"LE", {1e4, 0.0}, 1000};
+  Mesh first = box_mesh({50, 2, 2}, {L, 0.008, 0.008}, Shape::hexahedron);
+  Mesh second = box_mesh({50, 3, 3}, {L, 0.008, 0.008}, Shape::hexahedron);
+  move(second, {L + gap, 0, 0});
+  const Body a = add_body(model, first, Formulation::h8, rubber);
+  add_body(model, second, Formulation::h8, rubber);
+  model.initial_velocities.push_back({a.nodes(), {v, 0, 0}});
+  model.contact.between_bodies = true;
+  return model;
+}
+
+/// The wave that starts at the impact is back at 2 L / c: then the first bar rests and the second moves.
+TEST_P(BodyContacts, EqualBarsExchangeTheirVelocity) {
+  const double v = 0.01, L = 0.1, c = std::sqrt(1e4 / 1000), gap = 1e-5;
+  Model model = two_bars(v, gap);
+  model.time.total = gap / v + 2 * L / c + 0.03;
+  const Body a{0, 51 * 9}, b{51 * 9, 51 * 16};
+  const auto mass = lumped_mass(model);
+  auto simulation = simulate(model, GetParam());
+  double parted = 0;
+  while (!simulation->finished()) {
+    simulation->step(1);
+    if (mean_of(simulation->velocity(), b, mass).x < 0.98 * v) parted = simulation->time();
+  }
+  const auto va = mean_of(simulation->velocity(), a, mass), vb = mean_of(simulation->velocity(), b, mass);
+  EXPECT_NEAR(vb.x / v, 1, 0.01);
+  EXPECT_NEAR(va.x / v, 0, 0.01);
+  EXPECT_NEAR((va.x + vb.x) / v, 1, GetParam().rounding());
+  EXPECT_NEAR(parted - gap / v, 2 * L / c, 0.1 * L / c);
+  const Energies e = simulation->energies();
+  EXPECT_NEAR(e.kinetic + e.strain, e.initial, 0.01 * e.initial);
+}
+
+/// Two blocks on each other, 3 x 3 and 4 x 4 cells at the interface, pressed by 5 %, nu = 0.3, sides free.
+/// Nodes and facets that do not match pass no exactly uniform stress: the interface may warp without opening.
+TEST_P(BodyContacts, AUniformStressPassesAnInterfaceThatDoesNotMatch) {
+  Model model;
+  const Material rubber{"NH", mu_kappa(3000, 0.3), 1000};
+  add_body(model, box_mesh({3, 3, 2}, {1, 1, 0.5}, Shape::tetrahedron), Formulation::t4, rubber);
+  Mesh upper = box_mesh({4, 4, 3}, {1, 1, 0.5}, Shape::tetrahedron);
+  move(upper, {0, 0, 0.5});
+  add_body(model, upper, Formulation::t4, rubber);
+  model.fixed.push_back({face(model.mesh, 2, 0), 4});
+  model.fixed.push_back({face(model.mesh, 0, 0), 1});
+  model.fixed.push_back({face(model.mesh, 1, 0), 2});
+  model.displacements.push_back({face(model.mesh, 2, 1), 4, {-0.05}, ramp_curve(1)});
+  model.contact.between_bodies = true;
+  model.time = relaxed();
+  auto simulation = simulate(model, GetParam());
+  while (!simulation->finished()) simulation->step(100);
+  double low = 1e30, high = -1e30, side = 0;
+  for (const auto& s : simulation->element_fields().stress) {
+    low = std::min(low, s.zz);
+    high = std::max(high, s.zz);
+    side = std::max(side, std::abs(s.xx));
+  }
+  EXPECT_NEAR(low / high, 1, 4e-3);
+  EXPECT_LT(side, 1e-3 * std::abs(low));
+}
+
+/// A small block that slides on a larger one, obliquely, with friction.
+Model sliding_block() {
+  Model model;
+  const Material rubber{"NH", mu_kappa(1e4, 0.3), 1000};
+  add_body(model, box_mesh({24, 24, 2}, {0.24, 0.24, 0.02}, Shape::tetrahedron, 0.1), Formulation::t4,
+           rubber);
+  Mesh upper = box_mesh({17, 16, 3}, {0.12, 0.12, 0.03}, Shape::hexahedron);
+  move(upper, {0.05, 0.04, 0.0201});
+  const Body block = add_body(model, upper, Formulation::h8, rubber);
+  model.initial_velocities.push_back({block.nodes(), {0.1, 0.05, -0.05}});
+  model.contact.between_bodies = true;
+  model.contact.friction = 0.4;
+  model.time.total = 0.03;
+  return model;
+}
+
+TEST_P(BodyContacts, KeepMomentumWithFriction) {
+  const Model model = sliding_block();
+  const auto mass = lumped_mass(model);
+  const Body all{0, model.mesh.node_count()};
+  auto simulation = simulate(model, GetParam());
+  const auto before = mean_of(simulation->velocity(), all, mass);
+  while (!simulation->finished()) simulation->step(20);
+  const auto after = mean_of(simulation->velocity(), all, mass);
+  const auto lost = after - before;
+  EXPECT_LT(std::sqrt(dot(lost, lost)), GetParam().rounding() * 0.1);
+  EXPECT_LT(simulation->energies().contact, 0) << "friction takes energy";
+  const Body lower{0, 25 * 25 * 3};
+  EXPECT_GT(mean_of(simulation->velocity(), lower, mass).x, 1e-4) << "nothing was touched";
+}
+
+TEST(BodyContactThreads, GiveTheSameBitsForAnyNumber) {
+  expect_same_bits_for_any_threads(sliding_block(), threads_float, 30);
+}
+
+TEST_P(BodyContacts, AResumedRunEndsWithTheSameBits) {
+  const Model model = sliding_block();
+  auto whole = simulate(model, GetParam());
+  whole->step(10);
+  std::stringstream file;
+  whole->save(file);
+  whole->step(10);
+  auto resumed = simulate(model, GetParam());
+  resumed->load(file);
+  resumed->step(10);
+  EXPECT_TRUE(same_bits(whole->displacement(), resumed->displacement()));
+  const ContactReport a = whole->contacts().at(0).report, b = resumed->contacts().at(0).report;
+  EXPECT_GT(a.node_count, 0);
+  EXPECT_EQ(a.node_count, b.node_count);
+  EXPECT_EQ(a.largest_depth, b.largest_depth);
+}
+
+GLISSON_ALL_CASES(BodyContacts);
+
+/// Two cubes, the second one shifted by x.
+Model two_cubes(const Vec3<double>& shift) {
+  Model model;
+  const Material rubber{"NH", mu_kappa(1e4, 0.3), 1000};
+  add_body(model, box_mesh({4, 4, 4}, {1, 1, 1}, Shape::hexahedron), Formulation::h8, rubber);
+  Mesh second = box_mesh({3, 3, 3}, {1, 1, 1}, Shape::tetrahedron);
+  move(second, shift);
+  add_body(model, second, Formulation::t4, rubber);
+  model.contact.between_bodies = true;
+  model.time.total = 0.1;
+  return model;
+}
+
+void expect_refused(const Model& model, const std::string& word) {
+  try {
+    validate(model);
+    simulate(model, serial_double);
+    ADD_FAILURE() << "taken, but: " << word;
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::input);
+    EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+  }
+}
+
+TEST(BodyContactRefuses, BodiesThatStartInEachOther) {
+  expect_refused(two_cubes({0.5, 0.1, 0.1}), "inside of another solid");
+  Model nested = two_cubes({0.4, 0.4, 0.4});
+  for (std::size_t n = 125; n < nested.mesh.X.size(); ++n)
+    nested.mesh.X[n] = Vec3<double>{0.5, 0.5, 0.5} + 0.2 * (nested.mesh.X[n] - Vec3<double>{0.9, 0.9, 0.9});
+  expect_refused(nested, "starts inside of the one");
+  nested.contact.pairs = {{"pair", nested.bodies_by_name[0].name, nested.bodies_by_name[1].name, false, {}}};
+  EXPECT_NO_THROW(simulate(nested, serial_double)) << "the pair may not touch";
+}
+
+TEST(BodyContactRefuses, WrongNumbers) {
+  for (const double wrong : {-0.1, std::nan(""), 1e999}) {
+    Model model = two_cubes({1.1, 0, 0});
+    model.contact.friction = wrong;
+    expect_refused(model, "friction");
+    model = two_cubes({1.1, 0, 0});
+    model.contact.offset = wrong;
+    expect_refused(model, "safety margin");
+    model = two_cubes({1.1, 0, 0});
+    model.contact.distance = wrong;
+    expect_refused(model, "rate constraint distance");
+  }
+  Model model = two_cubes({1.1, 0, 0});
+  model.contact.nodes = {100000};
+  expect_refused(model, "does not exist");
+  model.contact.nodes = {62};  // the cube's centre
+  expect_refused(model, "not on the outer surface");
+  model = two_cubes({1.1, 0, 0});
+  model.contact.pairs = {{"pair 7", "body 0", "body 9", true, {}}};
+  expect_refused(model, "body 9");
+}
+
+/// Elements that meet at an edge only: the surface has no inside there.
+TEST(BodyContactRefuses, SurfacesWithFourFacetsAtAnEdge) {
+  Model model;
+  const Material rubber{"NH", mu_kappa(1e4, 0.3), 1000};
+  Mesh mesh = box_mesh({2, 2, 1}, {1, 1, 1}, Shape::hexahedron), two;
+  two.X = mesh.X;
+  for (const int e : {0, 3}) two.add_element(Shape::hexahedron, mesh.element(e));
+  add_body(model, two, Formulation::h8, rubber);
+  model.contact.self = true;
+  model.time.total = 0.1;
+  expect_refused(model, "4 outer facets");
+}
+
+/// A small overlap of flush blocks ends step by step, without a jump.
+TEST(BodyContactStart, ASmallOverlapIsResolvedGradually) {
+  Model model = two_cubes({0.97, 0.05, 0.05});
+  model.time.damping = 20;
+  model.time.total = 1;
+  auto simulation = simulate(model, threads_float);
+  EXPECT_NEAR(simulation->contacts().at(0).report.start_depth, 0.03, 1e-6);
+  double fastest = 0;
+  while (!simulation->finished()) {
+    simulation->step(1);
+    for (const auto& v : simulation->velocity()) fastest = std::max(fastest, std::sqrt(dot(v, v)));
+  }
+  EXPECT_LT(fastest, 0.1);
+  EXPECT_LT(simulation->contacts().at(0).report.depth, 0.003);
+}
+
+}  // namespace
+}  // namespace glisson::test
