@@ -32,7 +32,7 @@ function(glisson_kernel_source template name flags out)
   if(NOT GLISSON_SANITIZE)
     list(APPEND flags -O3)
   endif()
-  set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS
+  set_source_files_properties(${file} PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS
     "${flags};-ffp-contract=fast;-fno-math-errno;-fno-trapping-math;-fno-signed-zeros;-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-psabi")
   list(APPEND ${out} ${file})
   set(${out} ${${out}} PARENT_SCOPE)

@@ -13,9 +13,18 @@ function(glisson_library name)
     $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(glisson_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
   glisson_warnings(glisson_${name})
+  glisson_precompile(glisson_${name})
   install(TARGETS glisson_${name} EXPORT GlissonTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glisson/${name}
     FILES_MATCHING PATTERN "*.hpp")
+endfunction()
+
+function(glisson_precompile target)
+  if(GLISSON_QUICK_BUILD)
+    target_precompile_headers(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp>)
+    # g++ 12 warns of its own headers once they are precompiled
+    target_compile_options(${target} PRIVATE "$<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CXX_COMPILER_ID:GNU>>:-Wno-stringop-overflow;-Wno-array-bounds>")
+  endif()
 endfunction()
 
 function(glisson_warnings target)
