@@ -8,8 +8,9 @@ namespace glisson {
 
 struct ShellLawRule {
   LawRule law;
-  bool shell = false;     ///< may be the membrane part of a rotation-free shell
-  bool wrinkles = false;  ///< isotropic: the tension field can be found
+  bool shell = false;      ///< may be the membrane part of a rotation-free shell
+  bool wrinkles = false;   ///< isotropic: the tension field can be found
+  bool one_sided = false;  ///< stiffer in tension than in compression from the start
 };
 
 namespace detail {
@@ -26,7 +27,8 @@ inline constexpr std::array shell_law_table{
     ShellLawRule{
         {"NeoHookeanCompressible", "neo-Hookean in plane stress", detail::neo_hookean_rules}, true, true},
     ShellLawRule{{"Fung", "exponential, incompressible", detail::fung_rules}, false, true},
-    ShellLawRule{{"TwoFibre", "two fibre families, incompressible", detail::two_fibre_rules}, false, false},
+    ShellLawRule{
+        {"TwoFibre", "two fibre families, incompressible", detail::two_fibre_rules}, false, false, true},
 };
 
 /// nullptr when there is no law of this name.

@@ -10,6 +10,7 @@
 
 #include <glisson/core/any_simulation.hpp>
 #include <glisson/core/constraints/constraints.hpp>
+#include <glisson/core/materials/shell_law_table.hpp>
 #include <glisson/core/simulation/energy_monitor.hpp>
 #include <glisson/core/simulation/failure.hpp>
 #include <glisson/core/simulation/node_state.hpp>
@@ -91,6 +92,7 @@ class Simulation final : public AnySimulation {
   Stepper stepper_ = Stepper::central_difference;
   bool prony_ = false;                               ///< some material has a memory
   bool capped_ = false;                              ///< some springs have a strain-energy cap
+  bool one_sided_ = false;                           ///< some shell is stiffer in tension from rest on
   double strain_energy_ = 0, hourglass_energy_ = 0;  ///< of the last evaluation [J]
   double stable_step_ = 0;                           ///< last estimate [s]
   std::string limited_by_;

@@ -20,7 +20,10 @@ double Simulation<B, R>::stable_step_now(int iterations) {
   constexpr double margin = 1.03;
   const double omega = margin * power_.omega(*parts_.solids, make_view(), iterations);
   double dt = omega > 0 ? 2 / omega : parts_.element_step.dt;
-  if (step_ == 0) dt = std::max(dt, parts_.element_step.dt);
+  if (step_ == 0) {
+    // the iteration finds only those one-sided parts stiff that its vectors happen to pull
+    dt = one_sided_ ? parts_.element_step.dt : std::max(dt, parts_.element_step.dt);
+  }
   double inverse_square = 1 / (dt * dt);
   auto add = [&](double own) { inverse_square += std::isfinite(own) && own > 0 ? 1 / (own * own) : 0; };
   for (const auto& load : parts_.loads) add(load->stable_step());

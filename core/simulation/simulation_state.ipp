@@ -18,6 +18,14 @@ inline bool has_prony(const Model& model) {
   });
 }
 
+/// Fibres and wrinkling membranes are stiffer in tension than in compression, however small the strain.
+inline bool has_one_sided_stiffness(const Model& model) {
+  return std::any_of(model.shells.begin(), model.shells.end(), [](const ShellSection& s) {
+    const ShellLawRule* rule = find_shell_law(s.law);
+    return s.wrinkling || (rule != nullptr && rule->one_sided);
+  });
+}
+
 inline bool has_capped_springs(const Model& model) {
   return std::any_of(model.springs.begin(), model.springs.end(),
                      [](const Springs& s) { return s.strain_energy_cap.has_value(); });
@@ -46,7 +54,8 @@ Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
       power_(backend_, nodes_, parts_.element_step.smallest_size),
       stepper_(model.time.stepper.value_or(default_stepper(model))),
       prony_(has_prony(model)),
-      capped_(has_capped_springs(model)) {
+      capped_(has_capped_springs(model)),
+      one_sided_(has_one_sided_stiffness(model)) {
   if (!parts_.bodies.empty()) u_predicted_ = nodes_.zeros();
   if (model.time.quasi_static) {
     // shear waves cross the mesh a few times while the loads grow: one element takes them wave / shear speed
