@@ -74,7 +74,7 @@ TEST_P(PackedShells, MoveAsOneTriangleAtATimeInDouble) {
   const double size = std::abs(std::max_element(expected.begin(), expected.end(), [](auto& a, auto& b) {
                                  return std::abs(a.z) < std::abs(b.z);
                                })->z);
-  ASSERT_GT(size, 0.04);
+  ASSERT_GT(size, 0.01);
   const auto sets = patches::instruction_sets();
   for (std::size_t i = 0; i < sets.count; ++i) {
     if (!sets.sets[i].available()) continue;
