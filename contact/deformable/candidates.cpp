@@ -12,7 +12,10 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Patches whose normals open by less are not searched: below pi by what normals may turn while a list is
-/// used.
+/// used. Of a node that touches a facet from outside, the normals of its own facets and of that facet lie in
+/// no half-space (with the normal w of one inside, the solid at -w of the node would lie behind the facet).
+/// The smallest subtree with all of these facets then opens by pi at least and sets one of the node's facets
+/// against the other facet; so it does for the four facets of two edges.
 constexpr double self_threshold = 0.9 * full_turn / 2;
 /// An edge sticks out when its triangles bend back by more than this [tangent].
 constexpr double ridge_slope = 0.03;

@@ -106,6 +106,60 @@ TYPED_TEST(ClosestPoints, OfSegmentsAsInExactArithmetic) {
       [](const auto& found) { ASSERT_TRUE(found.s >= 0 && found.s <= 1 && found.t >= 0 && found.t <= 1); });
 }
 
+/// A point and two directions; those of a needle, of one line and of a point among them.
+struct Fan {
+  Point a, d, e;
+};
+Fan fan(std::mt19937& random, int kind) {
+  std::uniform_int_distribution<int> place(-1200, 1200), one(-1, 1);
+  const auto point = [&] { return Point{place(random), place(random), place(random)}; };
+  const Point a = point(), d = kind == 3 ? Point{} : point(), aside{one(random), one(random), one(random)};
+  return {a, d, kind == 0 ? point() : kind == 1 ? d + aside : d};
+}
+template <class R>
+R length(const Point& a) {
+  return R(std::sqrt(ratio(dot(a, a), 1)));
+}
+
+/// Inverse of the sine between two directions, 1 where there is none: rounding grows by it.
+template <class R>
+R sharpness(const Point& d, const Point& e) {
+  const R across = length<R>(cross(d, e));
+  return across > 0 ? length<R>(d) * length<R>(e) / across : 1;
+}
+
+/// Points on corners, on edges and inside: their distance is rounding, not the square root of it.
+TYPED_TEST(ClosestPoints, WhatLiesOnATriangleIsAtNoDistance) {
+  using R = TypeParam;
+  std::mt19937 random(13);
+  std::uniform_int_distribution<int> share(0, 12);
+  for (int i = 0; i < 40000; ++i) {
+    const auto [a, d, e] = fan(random, i % 4);
+    const int u = share(random), v = i % 3 ? 12 - u : std::min(share(random), 12 - u);
+    const Point p = a + Wide(u) * d + Wide(v) * e, b = a + Wide(12) * d, c = a + Wide(12) * e;
+    const auto found = closest_on_triangle(rounded<R>(p), rounded<R>(a), rounded<R>(b), rounded<R>(c));
+    const R extent = length<R>(b - a) + length<R>(c - a);
+    const R rounding = 8 * std::numeric_limits<R>::epsilon() * sharpness<R>(d, e);
+    ASSERT_LE(std::sqrt(found.distance_squared), rounding * extent) << i;
+  }
+}
+
+/// Edges that cross, share an end, lie on each other or end on each other.
+TYPED_TEST(ClosestPoints, EdgesThatMeetAreAtNoDistance) {
+  using R = TypeParam;
+  std::mt19937 random(19);
+  std::uniform_int_distribution<int> share(0, 12);
+  for (int i = 0; i < 40000; ++i) {
+    const auto [m, d, e] = fan(random, i % 4);
+    const Point p = m - Wide(share(random)) * d, q = m - Wide(share(random)) * e;  // both go through m
+    const Point p1 = p + Wide(12) * d, q1 = q + Wide(12) * e;
+    const auto found = closest_of_segments(rounded<R>(p), rounded<R>(p1), rounded<R>(q), rounded<R>(q1));
+    const R extent = length<R>(p1 - p) + length<R>(q1 - q);
+    const R rounding = 8 * std::numeric_limits<R>::epsilon() * sharpness<R>(d, e);
+    ASSERT_LE(std::sqrt(found.distance_squared), rounding * extent) << i;
+  }
+}
+
 TEST(ClosestPointsCases, GiveTheWeightsOfTheFeature) {
   const Vec3<double> a{0, 0, 0}, b{2, 0, 0}, c{0, 2, 0};
   const auto inside = closest_on_triangle(Vec3<double>{0.5, 0.5, 3}, a, b, c);
