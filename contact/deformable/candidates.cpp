@@ -61,7 +61,8 @@ void CandidateSearch::refit_to(const std::vector<Vec3<double>>& x, double margin
   for (std::size_t e = 0; e < ridge_.size(); ++e) {
     const ContactEdge& edge = mesh_.edges[e];
     const auto aside = x_[at(edge.opposite[1])] - x_[at(edge.node[0])];
-    ridge_[e] = dot(normal_[at(edge.triangle[0])], aside) < -ridge_slope * std::sqrt(dot(aside, aside));
+    ridge_[e] = mesh_.is_node(edge.node[1]) &&
+                dot(normal_[at(edge.triangle[0])], aside) < -ridge_slope * std::sqrt(dot(aside, aside));
   }
 }
 
@@ -89,7 +90,7 @@ void CandidateSearch::find_pairs() {
 
 bool CandidateSearch::adjacent(int a, int b) const {
   for (int i = mesh_.around_begin[at(a)]; i < mesh_.around_begin[at(a + 1)]; ++i)
-    for (const int n : mesh_.triangles[at(mesh_.around[at(i)])])
+    for (const int n : mesh_.facet_nodes(mesh_.around[at(i)]))
       if (n == b) return true;
   return false;
 }
@@ -99,8 +100,8 @@ bool CandidateSearch::adjacent(int a, int b) const {
 bool CandidateSearch::node_may_meet(int node, int facet) const {
   const Triangle& c = mesh_.triangles[at(facet)];
   if (mesh_.solid[at(node)] == mesh_.solid[at(c[0])]) {
-    for (const int n : c)
-      if (n == node || adjacent(n, node)) return false;
+    for (const int n : mesh_.facet_nodes(facet))
+      if (n == node || (n >= 0 && adjacent(n, node))) return false;
     const auto& A = mesh_.X[at(c[0])];
     const double rest =
         closest_on_triangle(mesh_.X[at(node)], A, mesh_.X[at(c[1])], mesh_.X[at(c[2])]).distance_squared;
@@ -227,7 +228,8 @@ void CandidateSearch::for_each_push(Use&& use) {
   for (int g = 0; g < found_.group_count(); ++g) {
     once(found_.group_node[at(g)], g);
     for (int i = found_.group_begin[at(g)]; i < found_.group_begin[at(g + 1)]; ++i)
-      for (const int n : mesh_.triangles[at(found_.facets[at(i)])]) once(n, g);
+      for (const int n : mesh_.facet_nodes(found_.facets[at(i)]))
+        if (n >= 0) once(n, g);
   }
   for (int k = 0; k < static_cast<int>(found_.edge_pairs.size()); ++k)
     for (const int e : found_.edge_pairs[at(k)])

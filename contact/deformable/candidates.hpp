@@ -40,7 +40,7 @@ class CandidateSearch {
   /// The mesh and the rules must outlive the search. reach: distance up to which contacts are looked for [m].
   CandidateSearch(const ContactMesh& mesh, const ContactRules& rules, double reach);
 
-  /// Candidates while every node stays within `margin` - reach / 2 of x [m]  [node_count]
+  /// Candidates while every node stays within `margin` - reach / 2 of x [m]  [point_count]
   const Candidates& find(const std::vector<Vec3<double>>& x, double margin);
   const SearchCounts& counts() const { return counts_; }
 

@@ -63,7 +63,24 @@ void set_geometry(ContactMesh& mesh, const Model& model, std::vector<Facet>& fac
   for (const int n : mesh.nodes) mesh.X.push_back(model.mesh.X[at(n)] - mesh.centre);
   for (Facet& facet : facets)
     for (int a = facet.node_count() - 1; a >= 0; --a) facet.nodes[at(a)] = place[at(facet.nodes[at(a)])];
+  const TriangleSizes sizes = triangle_sizes(split_facets(facets, mesh.X), mesh.X);
+  mesh.shortest = sizes.smallest;
+  mesh.longest = sizes.largest;
   mesh.solid = solids_of(model.mesh, mesh.nodes);
+}
+
+void set_triangles(ContactMesh& mesh, const std::vector<Facet>& facets) {
+  for (const Facet& facet : facets) {
+    const auto& n = facet.nodes;
+    if (facet.node_count() == 3) {
+      mesh.triangles.push_back({n[0], n[1], n[2]});
+      continue;
+    }
+    const int centre = mesh.node_count() + static_cast<int>(mesh.quads.size());
+    mesh.quads.push_back(n);
+    for (std::size_t a = 0; a < 4; ++a) mesh.triangles.push_back({n[a], n[(a + 1) % 4], centre});
+  }
+  mesh.append_centres(mesh.X);
 }
 
 /// Regions are numbered in the order of their first triangle.
@@ -72,7 +89,7 @@ void set_regions(ContactMesh& mesh, const std::vector<Facet>& facets, const std:
   std::vector<int> body_of;  // of each triangle
   for (const Facet& facet : facets) {
     for (int a = 1; a < facet.node_count(); ++a) joined.join(facet.nodes[0], facet.nodes[at(a)]);
-    body_of.insert(body_of.end(), at(facet.node_count() - 2), body[at(facet.element)]);
+    body_of.insert(body_of.end(), facet.node_count() == 3 ? 1 : 4, body[at(facet.element)]);
   }
   std::map<std::pair<int, int>, int> numbers;
   for (int t = 0; t < mesh.triangle_count(); ++t) {
@@ -87,7 +104,7 @@ void set_regions(ContactMesh& mesh, const std::vector<Facet>& facets, const std:
 }
 
 void set_around(ContactMesh& mesh) {
-  mesh.around_begin.assign(mesh.nodes.size() + 1, 0);
+  mesh.around_begin.assign(mesh.X.size() + 1, 0);
   for (const Triangle& t : mesh.triangles)
     for (const int n : t) ++mesh.around_begin[at(n + 1)];
   std::partial_sum(mesh.around_begin.begin(), mesh.around_begin.end(), mesh.around_begin.begin());
@@ -130,18 +147,16 @@ void set_edges(ContactMesh& mesh) {
   }
 }
 
-void set_sizes(ContactMesh& mesh) {
+void set_edge_length(ContactMesh& mesh) {
   std::vector<double> lengths;
   for (const ContactEdge& e : mesh.edges) {
+    if (!mesh.is_node(e.node[1])) continue;
     const auto d = mesh.X[at(e.node[1])] - mesh.X[at(e.node[0])];
     lengths.push_back(std::sqrt(dot(d, d)));
   }
   const auto quarter = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4);
   std::nth_element(lengths.begin(), quarter, lengths.end());
   mesh.edge_length = *quarter;
-  const TriangleSizes sizes = triangle_sizes(mesh.triangles, mesh.X);
-  mesh.shortest = sizes.smallest;
-  mesh.longest = sizes.largest;
 }
 
 void set_touching_nodes(ContactMesh& mesh, const std::vector<int>& listed) {
@@ -158,17 +173,26 @@ void set_touching_nodes(ContactMesh& mesh, const std::vector<int>& listed) {
 
 }  // namespace
 
+std::array<int, 4> ContactMesh::facet_nodes(int triangle) const {
+  const Triangle& c = triangles[at(triangle)];
+  return is_node(c[2]) ? std::array{c[0], c[1], c[2], -1} : quads[at(c[2] - node_count())];
+}
+
+void ContactMesh::append_centres(std::vector<Vec3<double>>& x) const {
+  for (const auto& q : quads) x.push_back(0.25 * ((x[at(q[0])] + x[at(q[1])]) + (x[at(q[2])] + x[at(q[3])])));
+}
+
 ContactMesh contact_mesh(const Model& model) {
   auto facets = outer_surface(model.mesh);
   if (facets.empty())
     throw Error(ErrorKind::input, "Contact between deformable bodies needs solid elements; there are none.");
   ContactMesh mesh;
   set_geometry(mesh, model, facets);
-  mesh.triangles = split_facets(facets, mesh.X);
+  set_triangles(mesh, facets);
   set_regions(mesh, facets, body_of_elements(model));
   set_around(mesh);
   set_edges(mesh);
-  set_sizes(mesh);
+  set_edge_length(mesh);
   set_touching_nodes(mesh, model.contact.nodes);
   return mesh;
 }

@@ -18,15 +18,18 @@ struct ContactEdge {
   std::array<int, 2> triangle{};
 };
 
-/// Node numbers below are places in `nodes`.
+/// Node numbers below are places in `nodes`. A quadrilateral is four triangles about the mean of its corners,
+/// which follows the nodes as a point of its own: cut along one diagonal, an interface of grids that do not
+/// match could warp without opening, in a way that a uniform stress works on.
 struct ContactMesh {
   std::vector<int> nodes;                          ///< node of the mesh, rising [-]          [node_count]
-  std::vector<Vec3<double>> X;                     ///< rest position from `centre` [m]       [node_count]
+  std::vector<std::array<int, 4>> quads;           ///< corners of the point node_count() + q   [quad_count]
+  std::vector<Vec3<double>> X;                     ///< rest position from `centre` [m]      [point_count]
   Vec3<double> centre;                             ///< of the surface's box, so that float keeps digits [m]
-  std::vector<Triangle> triangles;                 ///< [triangle_count]
+  std::vector<Triangle> triangles;                 ///< points; the centre of a quad last [triangle_count]
   std::vector<ContactEdge> edges;                  ///< [edge_count]
   std::vector<std::array<int, 3>> triangle_edges;  ///< [triangle_count]
-  std::vector<int> around_begin, around;           ///< triangles around each node
+  std::vector<int> around_begin, around;           ///< triangles around each point
   /// Triangles that hang together at nodes and belong to one named body are a region.
   std::vector<int> region;                          ///< [triangle_count]
   std::vector<int> node_region;                     ///< of the first triangle around a node  [node_count]
@@ -37,6 +40,12 @@ struct ContactMesh {
   double shortest = 0, longest = 0;  ///< height of a facet over its longest edge [m]
 
   int node_count() const { return static_cast<int>(nodes.size()); }
+  int point_count() const { return static_cast<int>(X.size()); }
+  bool is_node(int point) const { return point < node_count(); }
+  /// Nodes of the facet that a triangle is a part of; -1 for none.
+  std::array<int, 4> facet_nodes(int triangle) const;
+  /// x of the nodes, to which the points of the quads are appended.
+  void append_centres(std::vector<Vec3<double>>& x) const;
   int triangle_count() const { return static_cast<int>(triangles.size()); }
 };
 

@@ -83,12 +83,16 @@ struct FindFacetTouch {
  private:
   GLISSON_HD void set_nodes(Touch<R>& t, int node, int facet, const R (&b)[3]) const {
     const Corners& c = surface.triangles[facet];
+    const bool whole = c.n[2] < surface.node_count;  // otherwise a quarter of a quad about its centre
     t.node[0] = node;
     t.weight[0] = R(1);
-    for (int k = 0; k < 3; ++k) {
-      t.node[k + 1] = c.n[k];
-      t.weight[k + 1] = -b[k];
+    for (int k = 0; k < 4; ++k) {
+      t.node[k + 1] = whole ? (k < 3 ? c.n[k] : -1) : surface.quads[c.n[2] - surface.node_count].n[k];
+      t.weight[k + 1] = !whole ? R(-0.25) * b[2] : k < 3 ? -b[k] : R(0);
     }
+    for (int k = 1; !whole && k <= 4; ++k)
+      for (int i = 0; i < 2; ++i)
+        if (t.node[k] == c.n[i]) t.weight[k] -= b[i];
   }
   GLISSON_HD Vec3<R> corner(int facet, int k) const {
     return surface.position(surface.triangles[facet].n[k]);
@@ -201,6 +205,8 @@ struct FindEdgeTouch {
       t.node[k] = a.node[k];
       t.node[k + 2] = b.node[k];
     }
+    t.node[4] = -1;
+    t.weight[4] = R(0);
     t.weight[0] = R(1) - s;
     t.weight[1] = s;
     t.weight[2] = q - R(1);

@@ -20,7 +20,7 @@ struct PushedNodes {
   const int* nodes;           ///< of the surface                          [count]
   const int* incident_begin;  ///<                                         [count + 1]
   const int* incident;        ///< slots
-  int* pushing;               ///< 4 slot + corner of those that do        [incident]
+  int* pushing;               ///< most_touch_nodes * slot + place in it    [incident]
   int* pushing_count;         ///<                                         [count]
   R* share;                   ///< motion by a unit force in each contact [m/N]  [surface nodes]
   R* deepest;                 ///< deepest it was behind a facet since the start [m]  [surface nodes]
@@ -43,9 +43,9 @@ struct ListPushing {
     for (int j = nodes.incident_begin[i]; j < nodes.incident_begin[i + 1]; ++j) {
       const Touch<R>& t = touches[nodes.incident[j]];
       if (!t.used) continue;
-      for (int m = 0; m < 4; ++m) {
+      for (int m = 0; m < most_touch_nodes; ++m) {
         if (t.node[m] != k) continue;
-        nodes.pushing[nodes.incident_begin[i] + count++] = 4 * nodes.incident[j] + m;
+        nodes.pushing[nodes.incident_begin[i] + count++] = most_touch_nodes * nodes.incident[j] + m;
         sum += t.weight[m] < R(0) ? -t.weight[m] : t.weight[m];
         if (-t.before > deepest) deepest = -t.before;
         break;
@@ -69,7 +69,8 @@ struct SetGain {
     Touch<R>& t = touches[c];
     if (!t.used) return;
     R sum = R(0);
-    for (int m = 0; m < 4; ++m) sum += (t.weight[m] < R(0) ? -t.weight[m] : t.weight[m]) * share[t.node[m]];
+    for (int m = 0; m < most_touch_nodes && t.node[m] >= 0; ++m)
+      sum += (t.weight[m] < R(0) ? -t.weight[m] : t.weight[m]) * share[t.node[m]];
     t.gain = sum > R(0) ? R(1) / sum : R(0);  // 0: both sides are held
   }
 };
@@ -85,7 +86,7 @@ struct PushTouches {
     Touch<R>& t = touches[c];
     if (!t.used) return;
     Vec3<R> d;
-    for (int m = 0; m < 4; ++m) d = d + t.weight[m] * xyz(moved[t.node[m]]);
+    for (int m = 0; m < most_touch_nodes && t.node[m] >= 0; ++m) d = d + t.weight[m] * xyz(moved[t.node[m]]);
     const R along = dot(d, t.normal);
     const R pressing = positive(t.pressing_ahead + t.gain * (t.target - t.gap - along));
     t.pressing_ahead = positive(pressing + ahead * (pressing - t.pressing));
@@ -120,8 +121,8 @@ struct MovePushed {
     const int k = nodes.nodes[i], first = nodes.incident_begin[i];
     Vec3<R> f;
     for (int j = first; j < first + nodes.pushing_count[i]; ++j) {
-      const Touch<R>& t = touches[nodes.pushing[j] / 4];
-      f = f + t.weight[nodes.pushing[j] % 4] * t.force;
+      const Touch<R>& t = touches[nodes.pushing[j] / most_touch_nodes];
+      f = f + t.weight[nodes.pushing[j] % most_touch_nodes] * t.force;
     }
     nodes.force[k] = {f.x, f.y, f.z, R(0)};
     const Vec3<R> moved = surface.moved_by(k, nodes.force[k]) - xyz(surface.guess[k]);

@@ -82,14 +82,19 @@ class RestSurface {
   explicit RestSurface(const ContactMesh& mesh) : motion_(mesh.X.size()) {
     for (const auto& X : mesh.X) to_.push_back({X.x, X.y, X.z, 0});
     for (const auto& c : mesh.triangles) triangles_.push_back({{c[0], c[1], c[2]}});
+    for (const auto& q : mesh.quads) quads_.push_back({{q[0], q[1], q[2], q[3]}});
+    node_count_ = mesh.node_count();
   }
   SurfaceView<double> view() {
-    return {nullptr, nullptr, nullptr, triangles_.data(), to_.data(), motion_.data(), motion_.data()};
+    return {nullptr,     nullptr,    nullptr,        triangles_.data(), quads_.data(),
+            node_count_, to_.data(), motion_.data(), motion_.data()};
   }
 
  private:
   std::vector<Vec4<double>> to_, motion_;
   std::vector<Corners> triangles_;
+  std::vector<Quad> quads_;
+  int node_count_ = 0;
 };
 
 /// End of a segment that lies behind the triangle which the segment goes through, -1 if it does not.
@@ -119,7 +124,7 @@ std::vector<std::array<int, 2>> nodes_behind(const ContactMesh& mesh, const Cont
       const int solid = mesh.solid[at(facet[0])];
       if (mesh.solid[at(c[0])] == solid) continue;
       for (std::size_t k = 0; k < 3; ++k)
-        if (const int n = end_behind(mesh, {c[k], c[(k + 1) % 3]}, facet); n >= 0)
+        if (const int n = end_behind(mesh, {c[k], c[(k + 1) % 3]}, facet); n >= 0 && mesh.is_node(n))
           found.push_back({n, solid});
     }
   }

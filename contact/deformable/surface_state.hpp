@@ -19,15 +19,18 @@ std::vector<int> free_axes_of(const ContactMesh& mesh, const Model& model, const
 template <Backend B, class R>
 class SurfaceState {
  public:
+  /// The mesh must outlive it.
   SurfaceState(B& backend, const ContactMesh& mesh, const Model& model, const Numbering& numbering)
       : backend_(backend),
+        mesh_(mesh),
         count_(mesh.node_count()),
         nodes_(detail::upload(backend, internal_nodes(mesh, numbering))),
         X_(detail::upload(backend, rest(mesh))),
         free_axes_(detail::upload(backend, free_axes_of(mesh, model, numbering))),
         triangles_(detail::upload(backend, corners(mesh.triangles))),
-        to_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
-        motion_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
+        quads_(detail::upload(backend, corners(mesh.quads))),
+        to_(detail::zeros<Vec4<R>>(backend, mesh.X.size())),
+        motion_(detail::zeros<Vec4<R>>(backend, mesh.X.size())),
         guess_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
         reference_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
         extents_(detail::zeros<Extent<R>>(backend, std::size_t(chunk_count()))),
@@ -38,8 +41,8 @@ class SurfaceState {
   const int* nodes() const { return nodes_.get(); }
   const Buffer<Vec4<R>>& reference() const { return reference_; }
   SurfaceView<R> view() const {
-    return {nodes_.get(), X_.get(),      free_axes_.get(), triangles_.get(),
-            to_.get(),    motion_.get(), guess_.get()};
+    return {nodes_.get(), X_.get(),  free_axes_.get(), triangles_.get(), quads_.get(),
+            count_,       to_.get(), motion_.get(),    guess_.get()};
   }
 
   /// Takes the positions of a step that starts with last step's contact forces; returns the largest squares
@@ -47,7 +50,8 @@ class SurfaceState {
   Extent<R> place(const StepView<R>& step, const Vec4<R>* force) {
     backend_.for_each(chunk_count(),
                       PlaceSurface<R>{view(), step.u, step.u_predicted, step.v, force, reference_.get(),
-                                      extents_.get(), step.advance_per_force, count_});
+                                      extents_.get(), step.advance_per_force});
+    backend_.for_each(static_cast<int>(mesh_.quads.size()), PlaceCentres<R>{view()});
     backend_.copy_out(extents_.get(), host_extents_.data(), host_extents_.size());
     Extent<R> all;
     for (const Extent<R>& e : host_extents_) {
@@ -66,11 +70,11 @@ class SurfaceState {
     in.buffer(backend_, reference_, host_.size());
     backend_.copy_out(reference_.get(), host_.data(), host_.size());
   }
-  /// Positions that drift is measured from, on the host.
+  /// Positions that drift is measured from, on the host  [point_count]
   void reference_to(std::vector<Vec3<double>>& x) const {
-    x.resize(host_.size());
-    for (std::size_t k = 0; k < x.size(); ++k)
-      x[k] = {double(host_[k].x), double(host_[k].y), double(host_[k].z)};
+    x.clear();
+    for (const Vec4<R>& p : host_) x.push_back({double(p.x), double(p.y), double(p.z)});
+    mesh_.append_centres(x);
   }
 
  private:
@@ -83,7 +87,7 @@ class SurfaceState {
   }
   static std::vector<Vec4<R>> rest(const ContactMesh& mesh) {
     std::vector<Vec4<R>> result;
-    for (const auto& X : mesh.X) result.push_back(detail::narrow<R>(X));
+    for (std::size_t k = 0; k < mesh.nodes.size(); ++k) result.push_back(detail::narrow<R>(mesh.X[k]));
     return result;
   }
   static std::vector<Corners> corners(const std::vector<std::array<int, 3>>& from) {
@@ -91,13 +95,20 @@ class SurfaceState {
     for (const auto& c : from) result.push_back({{c[0], c[1], c[2]}});
     return result;
   }
+  static std::vector<Quad> corners(const std::vector<std::array<int, 4>>& from) {
+    std::vector<Quad> result;
+    for (const auto& q : from) result.push_back({{q[0], q[1], q[2], q[3]}});
+    return result;
+  }
 
   B& backend_;
+  const ContactMesh& mesh_;
   int count_;
   Buffer<int> nodes_;
   Buffer<Vec4<R>> X_;
   Buffer<int> free_axes_;
   Buffer<Corners> triangles_;
+  Buffer<Quad> quads_;
   Buffer<Vec4<R>> to_, motion_, guess_, reference_;
   Buffer<Extent<R>> extents_;
   std::vector<Extent<R>> host_extents_;

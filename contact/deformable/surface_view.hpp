@@ -10,17 +10,23 @@ struct Corners {
   int n[3];
 };
 
-/// The surface on the backend; nodes are numbered within it.
+struct Quad {
+  int n[4];
+};
+
+/// The surface on the backend; nodes are numbered within it, and after them the centres of its quads.
 template <class R>
 struct SurfaceView {
   const int* nodes;          ///< internal node                              [node_count]
   const Vec4<R>* X;          ///< rest position [m]                          [node_count]
   const int* free_axes;      ///< bit mask of axes that are not constrained  [node_count]
-  const Corners* triangles;  ///<                                            [triangle_count]
+  const Corners* triangles;  ///< points                                     [triangle_count]
+  const Quad* quads;         ///< corners of the points from node_count on   [point_count - node_count]
+  int node_count;
   /// Position at the end of the step if contact pushes as in the last one [m]: near the true one, so that
   /// feet and normals are those of surfaces that touch; w: what a force moves the node by [m/N].
-  Vec4<R>* to;
-  Vec4<R>* motion;  ///< from the beginning of the step to there [m]  [node_count]
+  Vec4<R>* to;      ///<                                              [point_count]
+  Vec4<R>* motion;  ///< from the beginning of the step to there [m]  [point_count]
   Vec4<R>* guess;   ///< what of it contact does [m]                  [node_count]
 
   GLISSON_HD Vec3<R> position(int k) const { return xyz(to[k]); }
@@ -50,10 +56,9 @@ struct PlaceSurface {
   const Vec4<R>* reference;           ///< positions that the candidates were found at [m]
   Extent<R>* extents;                 ///< [ceil(node_count / chunk)]
   R advance_per_force;                ///< [s^2]
-  int node_count;                     ///< of the surface
 
   GLISSON_HD void operator()(int c) const {
-    const int end = node_count < (c + 1) * chunk ? node_count : (c + 1) * chunk;
+    const int end = surface.node_count < (c + 1) * chunk ? surface.node_count : (c + 1) * chunk;
     Extent<R> extent;
     for (int k = c * chunk; k < end; ++k) {
       const int n = surface.nodes[k];
@@ -75,6 +80,25 @@ struct PlaceSurface {
  private:
   GLISSON_HD static void widen(R& largest, R value) {
     largest = value > largest || value != value ? value : largest;  // a NaN stays
+  }
+};
+
+/// The centres of the quads follow their corners.
+template <class R>
+struct PlaceCentres {
+  static constexpr int cost = 10;
+  SurfaceView<R> surface;
+
+  GLISSON_HD void operator()(int q) const {
+    const int k = surface.node_count + q;
+    surface.to[k] = mean(surface.to, surface.quads[q]);
+    surface.motion[k] = mean(surface.motion, surface.quads[q]);
+  }
+
+ private:
+  GLISSON_HD static Vec4<R> mean(const Vec4<R>* of, const Quad& q) {
+    const Vec3<R> m = R(0.25) * ((xyz(of[q.n[0]]) + xyz(of[q.n[1]])) + (xyz(of[q.n[2]]) + xyz(of[q.n[3]])));
+    return {m.x, m.y, m.z, R(0)};
   }
 };
 

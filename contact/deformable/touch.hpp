@@ -15,12 +15,14 @@ struct TouchLimits {
   R slack = R(0);   ///< depth that is resolved in one step; what lies deeper, from the start, in some
 };
 
+constexpr int most_touch_nodes = 5;  // a node and the corners of a quadrilateral
+
 /// gap = normal . sum weight x - offset. The weights of one side sum to 1, those of the other to -1, so that
 /// the forces weight * force on the nodes have neither a resultant nor, along the normal, a moment.
 template <class R>
 struct Touch {
-  int node[4];       ///< of the surface
-  R weight[4];       ///< [-]
+  int node[most_touch_nodes];  ///< of the surface; -1 where there are fewer
+  R weight[most_touch_nodes];  ///< [-]
   Vec3<R> normal;    ///< unit, from the side of weight < 0 to the other
   R gap;             ///< at the end of the step if contact pushes as in the last one [m]
   R target;          ///< least gap at the end of the step [m]
@@ -64,7 +66,7 @@ template <class R>
 GLISSON_HD bool complete_touch(Touch<R>& t, const Vec4<R>* motion, const Vec4<R>* guess,
                                const TouchLimits<R>& limits) {
   Vec3<R> path, pushed;
-  for (int m = 0; m < 4; ++m) {
+  for (int m = 0; m < most_touch_nodes && t.node[m] >= 0; ++m) {
     const Vec4<R> d = motion[t.node[m]];
     const Vec4<R> g = guess[t.node[m]];
     path = path + t.weight[m] * Vec3<R>{d.x, d.y, d.z};

@@ -8,7 +8,9 @@ namespace {
 
 constexpr double g = 9.81;
 
-/// A block of 4 cm on a track that is held from below; gravity acts within 0.2 s, smoothly.
+/// A block of 4 cm on a track that is held from below; gravity acts within 0.2 s, smoothly. What slides on
+/// something elastic with a constant coefficient excites vibrations (Adams 1995), in which parts of the
+/// interface stick and the mean friction is less; relaxation damps them, as in tissue.
 struct Slide {
   Model model;
   Body block;
@@ -18,6 +20,8 @@ struct Slide {
     Mesh upper = box_mesh({5, 4, 2}, {0.04, 0.04, 0.02}, Shape::hexahedron);
     move(upper, {0.013, 0.005, 0.01});
     block = add_body(model, upper, Formulation::h8, firm);
+    for (Section& section : model.sections)
+      section.material.isochoric = section.material.volumetric = {{0.5, 3e-4}};
     model.fixed.push_back({face(model.mesh, 2, 0), all_axes});
     model.gravity.push_back({block.nodes(), gravity, smooth_curve(0.2)});
     model.contact.between_bodies = true;
@@ -28,7 +32,7 @@ struct Slide {
 /// Acceleration once gravity acts fully, over g.
 double acceleration_on_incline(double friction, double slope) {
   Slide slide(friction, g * Vec3<double>{std::sin(slope), 0, -std::cos(slope)});
-  slide.model.time.total = 0.6;
+  slide.model.time.total = 0.5;
   const auto mass = lumped_mass(slide.model);
   auto simulation = simulate(slide.model, threads_float);
   const auto speed = [&] { return mean_of(simulation->velocity(), slide.block, mass).x; };
@@ -38,13 +42,14 @@ double acceleration_on_incline(double friction, double slope) {
   return (speed() - v) / (simulation->time() - t) / g;
 }
 
-TEST(BodyFriction, ABlockSlipsAboveTheAngleOfFriction) {
+/// The bound is 2 % of the acceleration at 1.01.
+TEST(BodyFriction, ABlockSlipsExactlyAboveTheAngleOfFriction) {
   const double mu = 0.3;
-  for (const double share : {0.98, 1.2}) {
+  for (const double share : {0.98, 0.99, 1.01, 1.02, 1.2}) {
     const double slope = std::atan(share * mu);
     const double expected = share > 1 ? std::sin(slope) - mu * std::cos(slope) : 0;
     const double a = acceleration_on_incline(mu, slope);
-    EXPECT_NEAR(a, expected, 0.0005);
+    EXPECT_NEAR(a, expected, share < 1.1 ? 6e-5 : 2e-4) << share;
   }
 }
 
