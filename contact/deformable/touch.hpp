@@ -23,16 +23,16 @@ template <class R>
 struct Touch {
   int node[most_touch_nodes];  ///< of the surface; -1 where there are fewer
   R weight[most_touch_nodes];  ///< [-]
-  Vec3<R> normal;    ///< unit, from the side of weight < 0 to the other
-  R gap;             ///< at the end of the step if contact pushes as in the last one [m]
-  R target;          ///< least gap at the end of the step [m]
-  R before;          ///< gap at the beginning of the step [m]
-  Vec3<R> slip;      ///< tangential motion during the step up to there [m]
-  R friction;        ///< [-]
-  R gain;            ///< force per gap that is missing [N/m]
-  R pressing;        ///< the multiplier lambda [N]
-  Vec3<R> rubbing;   ///< friction force [N]
-  R pressing_ahead;  ///< the same extrapolated along the last change
+  Vec3<R> normal;              ///< unit, from the side of weight < 0 to the other
+  R gap;                       ///< at the end of the step if contact pushes as in the last one [m]
+  R target;                    ///< least gap at the end of the step [m]
+  R before;                    ///< gap at the beginning of the step [m]
+  Vec3<R> slip;                ///< tangential motion during the step up to there [m]
+  R friction;                  ///< [-]
+  R gain;                      ///< force per gap that is missing [N/m]
+  R pressing;                  ///< the multiplier lambda [N]
+  Vec3<R> rubbing;             ///< friction force [N]
+  R pressing_ahead;            ///< the same extrapolated along the last change
   Vec3<R> rubbing_ahead;
   Vec3<R> force;  ///< sum of the two ahead, on the side of weight > 0 [N]
   bool used;      ///< otherwise only `pressing`, which is then 0, means anything

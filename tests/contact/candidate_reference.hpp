@@ -43,7 +43,9 @@ class CandidateReference {
     if (at(mesh_.solid, node) != at(mesh_.solid, c[0])) return true;
     const auto A = at(mesh_.X, c[0]), N = cross(at(mesh_.X, c[1]) - A, at(mesh_.X, c[2]) - A);
     const bool behind = dot(N, at(mesh_.X, node) - A) < 0;
-    return !neighbours(node, {c.begin(), c.end()}) && !(behind && distance(mesh_.X, node, c) < 2 * reach_);
+    const auto corners = mesh_.facet_nodes(facet);
+    return !neighbours(node, {corners.begin(), corners.end()}) &&
+           !(behind && distance(mesh_.X, node, c) < 2 * reach_);
   }
   bool edges_may_meet(int i, int j) const {
     const ContactEdge &a = mesh_.edges[std::size_t(i)], &b = mesh_.edges[std::size_t(j)];
@@ -94,15 +96,21 @@ class CandidateReference {
       most = std::max(most, -dot(at(normal_, at(mesh_.around, i)), at(normal_, facet)));
     return most;
   }
+  /// Edges to the centre of a quadrilateral lie within a facet.
   bool sticks_out(const ContactEdge& e) const {
+    if (!mesh_.is_node(e.node[0]) || !mesh_.is_node(e.node[1])) return false;
     const auto aside = at(x_, e.opposite[1]) - at(x_, e.node[0]);
     return dot(at(normal_, e.triangle[0]), aside) < -0.03 * std::sqrt(dot(aside, aside));
   }
+  /// Corners of one facet.
   bool neighbours(int node, const std::set<int>& others) const {
-    for (const ContactEdge& e : mesh_.edges)
-      for (const int k : {0, 1})
-        if (e.node[std::size_t(k)] == node && others.contains(e.node[std::size_t(1 - k)])) return true;
-    return others.contains(node);
+    for (int t = 0; t < mesh_.triangle_count(); ++t) {
+      const auto its = mesh_.facet_nodes(t);
+      if (std::find(its.begin(), its.end(), node) == its.end()) continue;
+      if (std::any_of(its.begin(), its.end(), [&](int n) { return n >= 0 && others.contains(n); }))
+        return true;
+    }
+    return false;
   }
 
   const ContactMesh& mesh_;
