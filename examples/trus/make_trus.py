@@ -8,9 +8,11 @@ writes FOLDER/trus.xml and its meshes. 8 cells per half axis give 24,576 + 64,51
 64,316); the number grows with the cube of it. SI units. x: left-right, y: towards the rectum, z: along the probe.
 """
 import argparse
-import itertools
-import math
 import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from meshes import between, kuhn, layers, on_sphere, outer_facets, rod, upright, write_vtk
 
 AXES = (0.022, 0.017, 0.020)  # half axes of the prostate [m]
 LOW, HIGH = (-0.034, -0.030, -0.034), (0.034, 0.034, 0.034)  # block [m]
@@ -18,105 +20,27 @@ LAYERS_PER_CELLS = 7 / 8  # layers of the block per cell of the prostate
 RADIUS, TIP, TAIL, GAP = 0.009, 0.008, -0.045, 0.0005  # probe [m]
 
 
-def kuhn(n):
-    """Tetrahedra of a cube [-n, n]^3 of unit bricks, mirrored in its octants, on integer corners."""
-    tetrahedra = []
-    for signs in itertools.product((1, -1), repeat=3):
-        for corner in itertools.product(range(n), repeat=3):
-            for order in itertools.permutations(range(3)):
-                point = list(corner)
-                points = [tuple(point)]
-                for axis in order:
-                    point[axis] += 1
-                    points.append(tuple(point))
-                tetrahedra.append([tuple(s * c for s, c in zip(signs, p)) for p in points])
-    return tetrahedra
-
-
-def on_sphere(p):
-    """Shells of the cube become spheres; equal angles on its faces keep the triangles alike."""
-    shell = max(map(abs, p))
-    if shell == 0:
-        return (0.0, 0.0, 0.0)
-    bent = [math.tan(c / shell * math.pi / 4) for c in p]
-    length = math.sqrt(sum(c * c for c in bent))
-    return tuple(shell * c / length for c in bent)
-
-
-def upright(tetrahedron, X):
-    a, b, c, d = (X[i] for i in tetrahedron)
-    u, v, w = ([q - p for p, q in zip(a, e)] for e in (b, c, d))
-    volume = sum(u[i] * (v[(i + 1) % 3] * w[(i + 2) % 3] - v[(i + 2) % 3] * w[(i + 1) % 3]) for i in range(3))
-    return tetrahedron if volume > 0 else [tetrahedron[i] for i in (0, 1, 3, 2)]
+def ellipsoid(p, n):
+    return tuple(a * c / n for a, c in zip(AXES, on_sphere(p)))
 
 
 def prostate(n):
-    number, X, elements = {}, [], []
-    for tetrahedron in kuhn(n):
-        for p in tetrahedron:
-            if p not in number:
-                number[p] = len(X)
-                X.append(tuple(a * c / n for a, c in zip(AXES, on_sphere(p))))
-        elements.append(upright([number[p] for p in tetrahedron], X))
-    surface = {}
-    for tetrahedron in kuhn(n):
-        for face in itertools.combinations(tetrahedron, 3):
-            if any(all(abs(p[axis]) == n and p[axis] == face[0][axis] for p in face) for axis in range(3)):
-                surface[tuple(sorted(face))] = face
-    return X, elements, list(surface)
-
-
-def block(n, layers, triangles):
-    """Prisms between the ellipsoid and the box over the triangles of the ellipsoid, three tetrahedra each."""
-    points = sorted({p for t in triangles for p in t})
+    """Points on the lattice of the cube and elements of the ellipsoid."""
+    tetrahedra = kuhn(n)
+    points = list(dict.fromkeys(p for t in tetrahedra for p in t))
     number = {p: i for i, p in enumerate(points)}
-    X = []
-    for layer in range(layers + 1):
-        r = layer / layers
-        for p in points:
-            inner = [a * c / n for a, c in zip(AXES, on_sphere(p))]
-            outer = [l + (h - l) * (c / n + 1) / 2 for l, h, c in zip(LOW, HIGH, p)]
-            X.append(tuple((1 - r) * i + r * o for i, o in zip(inner, outer)))
-    elements = []
-    for layer in range(layers):
-        for t in triangles:
-            a, b, c = sorted(number[p] + layer * len(points) for p in t)
-            up = len(points)
-            for tetrahedron in ([a, b, c, c + up], [a, b, b + up, c + up], [a, a + up, b + up, c + up]):
-                elements.append(upright(tetrahedron, X))
-    return X, elements
+    X = [ellipsoid(p, n) for p in points]
+    return points, X, [upright([number[p] for p in t], X) for t in tetrahedra]
 
 
-def probe(rings, segments):
-    """A cylinder with a half sphere at its tip, beside the block."""
-    y = HIGH[1] + GAP + RADIUS
-    profile = [(RADIUS, TAIL + (TIP - TAIL) * i / rings) for i in range(rings)]
-    caps = max(2, rings // 3)
-    profile += [(RADIUS * math.cos(a), TIP + RADIUS * math.sin(a)) for a in
-                (math.pi / 2 * i / caps for i in range(caps))]
-    X = [(0.0, y, TAIL), (0.0, y, TIP + RADIUS)]
-    for r, z in profile:
-        X += [(r * math.cos(2 * math.pi * j / segments), y + r * math.sin(2 * math.pi * j / segments), z)
-              for j in range(segments)]
-    at = lambda i, j: 2 + i * segments + j % segments
-    facets = [(0, at(0, j + 1), at(0, j)) for j in range(segments)]
-    facets += [(1, at(len(profile) - 1, j), at(len(profile) - 1, j + 1)) for j in range(segments)]
-    for i in range(len(profile) - 1):
-        for j in range(segments):
-            facets += [(at(i, j), at(i, j + 1), at(i + 1, j + 1)), (at(i, j), at(i + 1, j + 1), at(i + 1, j))]
-    return X, facets
-
-
-def write_vtk(path, X, cells, polygons=False):
-    with open(path, "w") as out:
-        out.write("# vtk DataFile Version 3.0\nTRUS example\nASCII\n")
-        out.write(f"DATASET {'POLYDATA' if polygons else 'UNSTRUCTURED_GRID'}\nPOINTS {len(X)} double\n")
-        out.writelines("%.9g %.9g %.9g\n" % p for p in X)
-        size = len(cells[0])
-        out.write(f"{'POLYGONS' if polygons else 'CELLS'} {len(cells)} {len(cells) * (size + 1)}\n")
-        out.writelines(f"{size} {' '.join(map(str, c))}\n" for c in cells)
-        if not polygons:
-            out.write(f"CELL_TYPES {len(cells)}\n" + "10\n" * len(cells))
+def block(n, count, points, facets):
+    """Layers between the ellipsoid and the box, over the facets of the ellipsoid."""
+    outside = sorted({i for f in facets for i in f}, key=lambda i: points[i])
+    number = {i: k for k, i in enumerate(outside)}
+    inner = [ellipsoid(points[i], n) for i in outside]
+    outer = [tuple(l + (h - l) * (c / n + 1) / 2 for l, h, c in zip(LOW, HIGH, points[i])) for i in outside]
+    sheets = [[between(i, o, k / count) for i, o in zip(inner, outer)] for k in range(count + 1)]
+    return layers([[number[i] for i in f] for f in facets], sheets)
 
 
 MATERIAL = """<ElementSet Size="all"><Material Type="NH">
@@ -156,10 +80,12 @@ def main():
     options = parser.parse_args()
     n = options.cells
     options.folder.mkdir(parents=True, exist_ok=True)
-    X, elements, triangles = prostate(n)
+    points, X, elements = prostate(n)
+    count = max(1, round(LAYERS_PER_CELLS * n))
+    beside = (0.0, HIGH[1] + GAP + RADIUS)
     write_vtk(options.folder / "prostate.vtk", X, elements)
-    write_vtk(options.folder / "surroundings.vtk", *block(n, max(1, round(LAYERS_PER_CELLS * n)), triangles))
-    write_vtk(options.folder / "probe.vtk", *probe(5 * n, 6 * n), polygons=True)
+    write_vtk(options.folder / "surroundings.vtk", *block(n, count, points, outer_facets(elements)))
+    write_vtk(options.folder / "probe.vtk", *rod((RADIUS, RADIUS), TAIL, TIP, 5 * n, 6 * n, beside), polygons=True)
     small = 1e-6
     (options.folder / "trus.xml").write_text(XML.format(
         material=MATERIAL, total=options.time, left=LOW[0] - small, left_in=LOW[0] + small,
