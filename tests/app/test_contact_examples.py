@@ -9,6 +9,7 @@ import json
 import math
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,6 +18,7 @@ import unittest
 import vtu
 
 GLISSON = os.path.abspath(sys.argv.pop(1))
+CAN_DRAW = os.path.exists(os.path.join(os.path.dirname(GLISSON), "glisson-viz")) and shutil.which("Xvfb")
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "examples"))
 from meshes import cross, dot, minus, outer_facets, read_vtk, unit
@@ -70,6 +72,8 @@ class Examples(unittest.TestCase):
             capture_output=True, text=True, timeout=300,
             env={**os.environ, "GLISSON": GLISSON, "GLISSON_LIVER_IMAGE": str(image), "PYTHONDONTWRITEBYTECODE": "1"})
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        if CAN_DRAW:
+            self.assertGreater((self.folder / f"{name}.png").stat().st_size, 10000)
         return self.results(name)
 
     def results(self, name):
@@ -129,6 +133,19 @@ class Breast(Examples):
             aside = minus(apart, tuple(dot(apart, out) * c for c in out))
             largest = max(largest, math.sqrt(dot(aside, aside)))
         return largest
+
+
+class Probe(Examples):
+    def test_trus(self):
+        """The motion ends with the run: not at rest."""
+        summary = self.run_example("trus", 4)
+        self.assertLess(summary["energies"]["kinetic"], 5e-3 * summary["energies"]["strain"])
+        self.assertGreater(min(self.end["J"]), 0.4)
+        probe, bodies = summary["contact"]
+        self.assertAlmostEqual(summary["largest_displacement"]["value"], 11.16e-3, delta=0.1e-3)
+        self.assertAlmostEqual(probe["force"][1], -1.731, delta=0.05)
+        self.assertGreater(bodies["touches"], 150)
+        self.assertLess(bodies["largest_depth"], 0.05 * 0.0033)  # of the edges of the prostate
 
 
 class Liver(Examples):
