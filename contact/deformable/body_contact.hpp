@@ -16,7 +16,7 @@
 
 namespace glisson::contact {
 
-constexpr int contact_iterations = 10;
+constexpr int contact_iterations = 16;
 
 template <Backend B, class R>
 class BodyContact final : public ForceProvider<R>, public ContactSource {

@@ -38,27 +38,32 @@ struct Touch {
   bool used;      ///< otherwise only `pressing`, which is then 0, means anything
 };
 
+/// Share m of its last multiplier that a contact starts with, and share b of a depth that one step takes
+/// back. A combination of contacts that the iterations resolve only to a share c per step follows, in steps,
+///   s^3 + (1 - m) s^2 + c s + c b = 0
+/// where the bodies give it neither stiffness nor damping: it dies out only if b < 1 - m (Routh), and at rest
+/// it keeps the gap (1 - m) load / (c b). Little of either is needed where bodies are damped. Measured: b =
+/// 0.2 with 14 to 20 iterations is quiet in blocks that are pressed by 60 % and as exact as b = 1 in patch
+/// tests; b = 0.3 and m = 0.95 swings there, b = 0.05 leaves a stress that varies by 1 %.
+constexpr double touch_memory = 0.95, depth_share = 0.2;
+
 /// What the gap must be at the end of the step. Behind the surface: on it, as the penetration response of
-/// Johnsen 2016, eq. 5.13, demands; nodes that were deep at its beginning come out by a tenth a step. In
-/// front of it and nearer than `close`: the approach keeps the share gap / close of its speed
-/// (eq. 5.19-5.22). Returns false where nothing has to be done.
-/// predicted: the gap without any contact force [m]
+/// Johnsen 2016, eq. 5.13, demands, or, if it was behind before, nearer by a share of the depth; nodes that
+/// were deep at the beginning of the run come out by a tenth a step. In front of it and nearer than `close`:
+/// the approach keeps the share gap / close of its speed (eq. 5.19-5.22). Returns false where nothing has to
+/// be done. predicted: the gap without any contact force [m]
 template <class R>
 GLISSON_HD bool set_target(Touch<R>& t, R predicted, const TouchLimits<R>& limits) {
   const R closing = t.before - predicted;
   if (predicted < R(0)) {
     const R deep = t.before + limits.slack;
-    t.target = deep < R(0) ? R(0.9) * deep : R(0);
+    t.target = deep < R(0) ? R(0.9) * deep : t.before < R(0) ? R(1 - depth_share) * t.before : R(0);
     return t.target > predicted;
   }
   if (!(predicted < limits.close) || !(closing > R(0))) return false;
   t.target = predicted + (R(1) - predicted / limits.close) * closing;
   return true;
 }
-
-/// Share of its last multiplier that a contact starts with. Below 1 the errors of an iteration that has not
-/// converged die out; at 1 a contact that converges slowly could swing.
-constexpr double touch_memory = 0.95;
 
 /// Completes a touch whose nodes, weights, normal and gap are set; `pressing` is that of the last step.
 /// motion, guess: of SurfaceView
