@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <string>
 #include <vector>
@@ -61,6 +62,8 @@ class ListContact : public ForceProvider<R>, public ContactSource {
       sum.node_count += static_cast<int>(part.node_count);
       sum.force = sum.force + part.force;
     }
+    sum.search.candidates = count_;
+    sum.search.seconds = seconds_;
     return sum;
   }
   void add_node_forces(std::vector<Vec3<double>>& f) const override {
@@ -116,10 +119,12 @@ class ListContact : public ForceProvider<R>, public ContactSource {
   /// Adds next's forces; counts work and collects the report where the step asks for it.
   template <class Rule>
   void touch(const StepView<R>& step, const Rule& now, const Rule& next) {
+    const auto start = std::chrono::steady_clock::now();
     if (work_.counts(step))
       backend_.for_each(work_.chunk_count(),
                         CollectReport<R, Rule>{now, next, nodes_.get(), count_, parts_.get()});
     work_.run(step, nodes_.get(), next);
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   int count() const { return count_; }
   const Vec4<R>* X() const { return X_.get(); }
@@ -139,6 +144,7 @@ class ListContact : public ForceProvider<R>, public ContactSource {
   Buffer<Vec4<R>> X_, last_;
   ListWork<B, R> work_;
   Buffer<ContactPart> parts_;
+  double seconds_ = 0;
 };
 
 }  // namespace glisson::contact

@@ -9,19 +9,28 @@
 
 namespace glisson {
 
-/// What the search for candidates did since the start of the process.
+/// What contact did since the start of the process. Of something rigid only `volumes`, `candidates` and
+/// `seconds`: its tree is never refitted, and every node walks it in every step. Seconds are wall time; on a
+/// device those outside of searches are the time of the launches.
 struct ContactSearchReport {
+  std::int64_t volumes = 0;           ///< boxes of the hierarchy; 0 for analytic bodies
   std::int64_t searches = 0;          ///< lists of candidates made
-  std::int64_t volumes_refitted = 0;  ///< of the bounding volume hierarchy
+  std::int64_t volumes_refitted = 0;  ///< over all searches, like the next two
   std::int64_t subtrees_tested = 0;   ///< whose children were tested against each other
-  std::int64_t triangle_pairs = 0;    ///< with overlapping boxes, over all searches
-  std::int64_t candidates = 0;        ///< node-facet and edge-edge pairs of the present list
-  double search_seconds = 0;          ///< wall time of the searches
-  double seconds = 0;                 ///< wall time of contact with them; on a device: of its launches
+  std::int64_t triangle_pairs = 0;    ///< with overlapping boxes
+  std::int64_t candidates = 0;        ///< node-facet and edge-edge pairs of the present list; rigid: nodes
+  double refit_seconds = 0;           ///< of the searches: boxes and cones
+  double pair_seconds = 0;            ///< of the searches: pairs of triangles
+  double list_seconds = 0;            ///< of the searches: lists of nodes with facets and of edges
+  double search_seconds = 0;          ///< the searches with what brings data to and from the device
+  double touch_seconds = 0;           ///< finding touches among the candidates
+  double force_seconds = 0;           ///< their forces
+  double seconds = 0;                 ///< all of contact
 };
 
 /// State of a contact pair at the last step of a run with energies.
 struct ContactReport {
+  bool between_bodies = false;  ///< of deformable bodies; else of something rigid
   double depth = 0;          ///< largest penetration of the nodes [m]
   double largest_depth = 0;  ///< the same over the run [m]
   double start_depth = 0;    ///< in the file already, between deformable bodies [m]

@@ -55,13 +55,25 @@ Json timings_of(const RunSummary& s) {
 }
 
 Json search_of(const ContactSearchReport& s) {
-  return {{"searches", s.searches},
+  return {{"volumes", s.volumes},
+          {"searches", s.searches},
           {"volumes_refitted", s.volumes_refitted},
           {"subtrees_tested", s.subtrees_tested},
           {"triangle_pairs", s.triangle_pairs},
           {"candidates", s.candidates},
+          {"refit_s", s.refit_seconds},
+          {"pairs_s", s.pair_seconds},
+          {"lists_s", s.list_seconds},
           {"search_s", s.search_seconds},
+          {"touches_s", s.touch_seconds},
+          {"forces_s", s.force_seconds},
           {"total_s", s.seconds}};
+}
+
+Json rigid_search_of(const ContactSearchReport& s) {
+  Json its{{"nodes", s.candidates}, {"total_s", s.seconds}};
+  if (s.volumes > 0) its["volumes"] = s.volumes;
+  return its;
 }
 
 Json contacts_of(const std::vector<NamedContact>& contacts) {
@@ -71,12 +83,11 @@ Json contacts_of(const std::vector<NamedContact>& contacts) {
              {"largest_depth", report.largest_depth},
              {"depth", report.depth},
              {"touches", report.node_count}};
-    if (report.search.searches > 0) {  // of deformable bodies
+    if (report.between_bodies)
       its["start_depth"] = report.start_depth;
-      its["search"] = search_of(report.search);
-    } else {
+    else
       its["force"] = {report.force.x, report.force.y, report.force.z};
-    }
+    its["search"] = report.between_bodies ? search_of(report.search) : rigid_search_of(report.search);
     list.push_back(std::move(its));
   }
   return list;

@@ -5,18 +5,21 @@
 #include <memory>
 #include <vector>
 
+#include <glisson/contact/analytic/body_overlap.hpp>
 #include <glisson/contact/analytic/rigid_contact.hpp>
 
 namespace glisson::contact {
 
 /// The backend must outlive the result; the model need not. Every provider is also a ContactSource. The node
-/// masses, if given, are not needed: the inertial ones come with each step (v.w).
+/// masses, if given, are not needed: the inertial ones come with each step (v.w). Throws Error(input) when
+/// nodes start deep in a body.
 template <Backend B, class R>
 std::vector<std::unique_ptr<ForceProvider<R>>> make_rigid_bodies(B& backend, const Model& model,
                                                                  const Numbering& numbering,
                                                                  std::span<const double> = {}) {
   std::vector<std::unique_ptr<ForceProvider<R>>> result;
   const auto add = [&]<class Shape>(const RigidBody& body, Shape) {
+    refuse_overlap(RigidMotion(body), candidate_nodes(body.nodes, model.mesh), model.mesh);
     result.push_back(std::make_unique<RigidContact<B, R, Shape>>(backend, body, model.mesh, numbering));
   };
   for (const RigidBody& body : model.bodies) switch (body.shape) {

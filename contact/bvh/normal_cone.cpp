@@ -31,9 +31,9 @@ NormalCone merged(const NormalCone& a, const NormalCone& b, ConeRule rule) {
   if (b.angle < 0) return a;
   if (a.angle >= full_turn || b.angle >= full_turn) return any_direction;
   const double beta = angle_of(a.axis, b.axis);
-  if (beta + b.angle / 2 <= a.angle / 2) return a;
-  if (beta + a.angle / 2 <= b.angle / 2) return b;
-  if (rule == ConeRule::provot) {
+  if (rule != ConeRule::provot && beta + b.angle / 2 <= a.angle / 2) return a;
+  if (rule != ConeRule::provot && beta + a.angle / 2 <= b.angle / 2) return b;
+  if (rule != ConeRule::narrowest) {
     const Vec3<double> sum = a.axis + b.axis;
     const double length = length_of(sum);
     if (!(length > 1e-9)) return any_direction;

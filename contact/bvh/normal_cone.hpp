@@ -17,8 +17,9 @@ struct NormalCone {
 constexpr NormalCone any_direction{{}, full_turn};
 
 enum class ConeRule {
-  narrowest,  ///< Johnsen 2016, eq. 5.4-5.6
-  provot,     ///< axis: the mean of both axes (Provot 1997), for comparison
+  narrowest,        ///< Johnsen 2016, eq. 5.4-5.6, or one of the two if it holds the other
+  provot,           ///< axis: the mean of both axes (Provot 1997), for comparison
+  provot_or_child,  ///< the same, or one of the two if it holds the other, for comparison
 };
 
 /// Holds both cones.

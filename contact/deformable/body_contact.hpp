@@ -90,8 +90,11 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     const PushedNodes<R> pushed = lists_.pushed();
     const int slots = lists_.slots(), nodes = lists_.node_count();
     if (nodes == 0) return;
+    const auto start = Clock::now();
     backend_.for_each(lists_.groups(), lists_.find_facets(surface, limits, fast));
     backend_.for_each(slots - lists_.groups(), lists_.find_edges(surface, limits));
+    touch_seconds_ += since(start);
+    const auto found = Clock::now();
     backend_.for_each(nodes, ListPushing<R>{pushed, lists_.touches(), surface.to, surface.guess});
     backend_.for_each(slots, SetGain<R>{lists_.touches(), pushed.share});
     double momentum = 1;  // Nesterov's t
@@ -102,6 +105,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
       backend_.for_each(slots, PushTouches<R>{lists_.touches(), pushed.moved, R(ahead)});
       backend_.for_each(nodes, MovePushed<R>{pushed, lists_.touches(), surface});
     }
+    force_seconds_ += since(found);
   }
 
   B& backend_;
@@ -118,7 +122,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   std::vector<Vec3<double>> x_;
   bool listed_ = false;
   double room_ = 0;  ///< of the present candidates [m]
-  double seconds_ = 0, search_seconds_ = 0;
+  double seconds_ = 0, search_seconds_ = 0, touch_seconds_ = 0, force_seconds_ = 0;
 };
 
 template <Backend B, class R>
@@ -136,12 +140,19 @@ ContactReport BodyContact<B, R>::report() const {
   for (const R depth : deepest) report.largest_depth = std::max(report.largest_depth, double(depth));
   report.start_depth = start_depth_;
   const SearchCounts& counts = search_.counts();
-  report.search = {counts.searches,
+  report.between_bodies = true;
+  report.search = {search_.volume_count(),
+                   counts.searches,
                    counts.volumes_refitted,
                    counts.subtrees_tested,
                    counts.triangle_pairs,
                    lists_.candidates(),
+                   counts.refit_seconds,
+                   counts.pair_seconds,
+                   counts.list_seconds,
                    search_seconds_,
+                   touch_seconds_,
+                   force_seconds_,
                    seconds_};
   return report;
 }

@@ -1,6 +1,7 @@
 #include <glisson/contact/deformable/candidates.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -67,11 +68,18 @@ void CandidateSearch::refit_to(const std::vector<Vec3<double>>& x, double margin
 }
 
 const Candidates& CandidateSearch::find(const std::vector<Vec3<double>>& x, double margin) {
-  refit_to(x, margin);
-  find_pairs();
-  find_groups();
-  find_edge_pairs();
-  find_incidence();
+  const auto timed = [](double& seconds, auto&& stage) {
+    const auto start = std::chrono::steady_clock::now();
+    stage();
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  timed(counts_.refit_seconds, [&] { refit_to(x, margin); });
+  timed(counts_.pair_seconds, [&] { find_pairs(); });
+  timed(counts_.list_seconds, [&] {
+    find_groups();
+    find_edge_pairs();
+    find_incidence();
+  });
   return found_;
 }
 

@@ -33,6 +33,7 @@ struct Candidates {
 /// What the searches of a run did.
 struct SearchCounts {
   std::int64_t searches = 0, volumes_refitted = 0, subtrees_tested = 0, triangle_pairs = 0;
+  double refit_seconds = 0, pair_seconds = 0, list_seconds = 0;
 };
 
 class CandidateSearch {
@@ -43,6 +44,7 @@ class CandidateSearch {
   /// Candidates while every node stays within `margin` - reach / 2 of x [m]  [point_count]
   const Candidates& find(const std::vector<Vec3<double>>& x, double margin);
   const SearchCounts& counts() const { return counts_; }
+  int volume_count() const { return hierarchy_.node_count(); }
 
  private:
   bool node_may_meet(int node, int facet) const;

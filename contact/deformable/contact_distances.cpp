@@ -2,12 +2,31 @@
 
 #include <algorithm>
 
+#include <glisson/core/base/error.hpp>
+#include <glisson/core/base/number_text.hpp>
+
 namespace glisson::contact {
+namespace {
+
+/// Share of an edge length up to which surfaces may feel each other: they are searched twice as far behind a
+/// surface (four times at the start), which must be less than a body is thick.
+constexpr double most_apart = 0.5;
+
+}  // namespace
 
 ContactDistances contact_distances(const DeformableContact& contact, const ContactMesh& mesh) {
   ContactDistances d;
   d.offset = contact.offset;
   d.close = contact.distance.value_or(default_contact_distance(mesh));
+  if (!(d.offset + d.close <= most_apart * mesh.edge_length))
+    throw Error(
+        ErrorKind::input,
+        "it keeps a gap of " + number_text(d.offset) + " (ContactSafetyMargin) and slows approaches below " +
+            number_text(d.close) +
+            " more (RateConstraintDistance, by default ten times the margin), too much for surface edges "
+            "of " +
+            number_text(mesh.edge_length) + ": both together can be half of an edge. Make them smaller",
+        {"", 0, contact_place});
   d.slack = 0.01 * mesh.edge_length;
   d.reach = std::max(0.2 * mesh.edge_length, 2 * (d.offset + d.close));
   d.room = 0.15 * mesh.edge_length;

@@ -128,11 +128,12 @@ void set_edges(ContactMesh& mesh) {
   for (const auto& [node, its] : uses) {
     if (its.size() != 2)
       throw Error(ErrorKind::input,
-                  "Contact needs surfaces with an inside, but the edge between the nodes " +
+                  "it needs surfaces with an inside, but the edge between the nodes " +
                       std::to_string(mesh.nodes[at(node[0])]) + " and " +
                       std::to_string(mesh.nodes[at(node[1])]) + " has " + std::to_string(its.size()) +
                       " outer facets: elements touch there at an edge only. Remove an element at it or add "
-                      "one, or switch the contact off.");
+                      "one, or switch the contact off",
+                  {"", 0, contact_place});
     for (const auto& [t, opposite] : its) {
       const Triangle& c = mesh.triangles[at(t)];
       const std::size_t k = c[0] == opposite ? 1 : c[1] == opposite ? 2 : 0;  // corner where the edge starts
@@ -164,9 +165,11 @@ void set_touching_nodes(ContactMesh& mesh, const std::vector<int>& listed) {
   for (const int n : listed) {
     const auto place = std::lower_bound(mesh.nodes.begin(), mesh.nodes.end(), n);
     if (place == mesh.nodes.end() || *place != n)
-      throw Error(ErrorKind::input, "Contact: node " + std::to_string(n) +
-                                        " is listed as one that may touch, but it is not on the outer "
-                                        "surface of the solids. Take it off the list.");
+      throw Error(ErrorKind::input,
+                  "node " + std::to_string(n) +
+                      " is listed as one that may touch, but it is not on the outer surface of the solids. "
+                      "Take it off the list",
+                  {"", 0, contact_place});
     mesh.may_touch[static_cast<std::size_t>(place - mesh.nodes.begin())] = true;
   }
 }
@@ -185,7 +188,7 @@ void ContactMesh::append_centres(std::vector<Vec3<double>>& x) const {
 ContactMesh contact_mesh(const Model& model) {
   auto facets = outer_surface(model.mesh);
   if (facets.empty())
-    throw Error(ErrorKind::input, "Contact between deformable bodies needs solid elements; there are none.");
+    throw Error(ErrorKind::input, "it needs solid elements, but there are none", {"", 0, contact_place});
   ContactMesh mesh;
   set_geometry(mesh, model, facets);
   set_triangles(mesh, facets);

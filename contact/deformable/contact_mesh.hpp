@@ -11,6 +11,9 @@
 
 namespace glisson::contact {
 
+/// Where errors say that they come from.
+constexpr const char* contact_place = "contact of deformable bodies";
+
 /// An edge with the corners opposite to it in its two triangles; the first triangle runs from node 0 to 1.
 struct ContactEdge {
   std::array<int, 2> node{};

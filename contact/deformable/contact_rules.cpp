@@ -22,6 +22,7 @@ ContactRules::ContactRules(const Model& model, const ContactMesh& mesh)
       friction_(model.contact.friction),
       part_(mesh.part_of_region),
       body_(mesh.body_of_region) {
+  for (const NamedElements& body : model.bodies_by_name) names_.push_back(body.name);
   for (const ContactPair& pair : model.contact.pairs) {
     const int a = body_named(model, pair, pair.a), b = body_named(model, pair, pair.b);
     pairs_[std::minmax(a, b)] = {pair.touch, pair.friction.value_or(friction_)};
@@ -42,6 +43,11 @@ bool ContactRules::may_touch(int a, int b) const {
 double ContactRules::friction(int a, int b) const {
   const Rule* rule = named(a, b);
   return rule ? rule->friction : friction_;
+}
+
+std::string ContactRules::body_name(int region) const {
+  const int body = body_[std::size_t(region)];
+  return body == 0 ? "a body without a name" : "sub-model '" + names_[std::size_t(body - 1)] + "'";
 }
 
 }  // namespace glisson::contact

@@ -16,6 +16,8 @@ class ContactRules {
   /// Whether two regions of the mesh may touch; a region with itself: self-contact.
   bool may_touch(int region_a, int region_b) const;
   double friction(int region_a, int region_b) const;
+  /// "sub-model 'liver'" for messages; "a body without a name".
+  std::string body_name(int region) const;
   /// Whether any part may touch itself, so that the search has to look within parts.
   bool any_self_contact() const { return any_self_; }
 
@@ -30,6 +32,7 @@ class ContactRules {
   double friction_;
   std::map<std::pair<int, int>, Rule> pairs_;  ///< by bodies, the lower first
   std::vector<int> part_, body_;               ///< [region_count]
+  std::vector<std::string> names_;             ///< of Model::bodies_by_name
 };
 
 }  // namespace glisson::contact

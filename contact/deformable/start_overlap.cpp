@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,6 +16,15 @@ namespace glisson::contact {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw Error(ErrorKind::input, message, {"", 0, contact_place});
+}
+
+std::string node_text(const ContactMesh& mesh, const ContactRules& rules, int node) {
+  return "node " + std::to_string(mesh.nodes[at(node)]) + " of " +
+         rules.body_name(mesh.node_region[at(node)]);
+}
 
 /// Solid angle of a triangle seen from the origin (van Oosterom & Strackee 1983) [sr].
 double solid_angle(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
@@ -40,39 +50,50 @@ std::map<int, Solid> solids_of(const ContactMesh& mesh) {
   return solids;
 }
 
-/// Turns of the triangles that may touch it around a node: 2 inside, 0 outside; nothing for a node that lies
-/// on one of them, where rounding would decide.
-std::optional<double> turns_around(const ContactMesh& mesh, const ContactRules& rules, int node,
-                                   const Solid& solid, double on) {
-  const auto& p = mesh.X[at(node)];
-  double sum = 0;
+/// How deep a point lies in a solid; 0 outside. `turns` are those of the solid's triangles around the point:
+/// 2 inside, 0 outside. Nothing for a point nearer than `on` to them, where rounding would decide.
+std::optional<double> depth_in(const ContactMesh& mesh, const Vec3<double>& p, const Solid& solid,
+                               double on) {
+  double turns = 0, nearest = std::numeric_limits<double>::infinity();
   for (const int t : solid.triangles) {
-    if (!rules.may_touch(mesh.node_region[at(node)], mesh.region[at(t)])) return 0;
     const Triangle& c = mesh.triangles[at(t)];
     const auto &a = mesh.X[at(c[0])], &b = mesh.X[at(c[1])], &d = mesh.X[at(c[2])];
-    if (closest_on_triangle(p, a, b, d).distance_squared < on * on) return {};
-    sum += solid_angle(a - p, b - p, d - p) / full_turn;
+    nearest = std::min(nearest, closest_on_triangle(p, a, b, d).distance_squared);
+    if (nearest < on * on) return {};
+    turns += solid_angle(a - p, b - p, d - p) / full_turn;
   }
-  return sum;
+  return turns > 1.5 ? std::sqrt(nearest) : 0;
 }
 
-/// A solid within another is one whose box lies in the other's and whose nodes the other goes round; a few
-/// nodes are tried. What crosses a surface is found by its depth.
-void refuse_nested(const ContactMesh& mesh, const ContactRules& rules, double on) {
-  constexpr std::size_t tries = 20;
+/// Whether a node of a solid, or the point 1.5 `most` under it in its own solid, lies deep in another one. Of
+/// two solids at the same place the nodes themselves lie on both.
+bool lies_in(const ContactMesh& mesh, int node, const Vec3<double>& normal, const Solid& own,
+             const Solid& other, double on, double most) {
+  const auto depth = [&](double under, const Solid& solid) {
+    return depth_in(mesh, mesh.X[at(node)] - under * normal, solid, on).value_or(0);
+  };
+  return depth(2 * on, other) > most || (depth(1.5 * most, other) > most && depth(1.5 * most, own) > 0);
+}
+
+/// Solids that share more of space than their surfaces show, in each other or at the same place; some nodes
+/// of each are tried. What crosses a surface is also found by its depth.
+void refuse_nested(const ContactMesh& mesh, const ContactRules& rules, double on, double most) {
+  constexpr std::size_t least_tries = 20, most_triangles = 200'000;  // about 40 ms per pair
   const auto solids = solids_of(mesh);
+  const auto normals = vertex_normals(mesh.triangles, mesh.X);
   for (const auto& [inner, a] : solids)
     for (const auto& [outer, b] : solids) {
-      if (inner == outer || !contains(b.box, a.box.low) || !contains(b.box, a.box.high)) continue;
-      const std::size_t stride = a.nodes.size() / tries + 1;
-      std::optional<double> turns;
-      std::size_t k = 0;
-      for (; k < a.nodes.size() && !turns; k += stride) turns = turns_around(mesh, rules, a.nodes[k], b, on);
-      if (turns.value_or(0) > 1.5)
-        throw Error(ErrorKind::input,
-                    "Contact: the solid with node " + std::to_string(mesh.nodes[at(a.nodes[k - stride])]) +
-                        " starts inside of the one with node " + std::to_string(mesh.nodes[at(b.nodes[0])]) +
-                        ", so there is no way out of it. Move one of them, or forbid the pair.");
+      if (inner == outer || !overlap(a.box, b.box)) continue;
+      std::vector<int> nodes;
+      for (const int n : a.nodes)
+        if (contains(b.box, mesh.X[at(n)]) &&
+            rules.may_touch(mesh.node_region[at(n)], mesh.region[at(b.triangles[0])]))
+          nodes.push_back(n);
+      const std::size_t tries = std::max(least_tries, most_triangles / b.triangles.size());
+      for (std::size_t k = 0; k < nodes.size(); k += nodes.size() / tries + 1)
+        if (lies_in(mesh, nodes[k], normals[at(nodes[k])], a, b, on, most))
+          refuse("the solid with " + node_text(mesh, rules, nodes[k]) + " starts inside of the one with " +
+                 node_text(mesh, rules, b.nodes[0]) + ". Move one of them, or forbid the pair");
     }
 }
 
@@ -97,26 +118,55 @@ class RestSurface {
   int node_count_ = 0;
 };
 
-/// End of a segment that lies behind the triangle which the segment goes through, -1 if it does not.
-int end_behind(const ContactMesh& mesh, const std::array<int, 2>& segment, const Triangle& c) {
+/// End of a segment that lies behind the triangle which the segment goes through, -1 if it does not or if an
+/// end is nearer to its plane than `slack`.
+int end_behind(const ContactMesh& mesh, const std::array<int, 2>& segment, const Triangle& c,
+               double slack = 0) {
   const auto &p = mesh.X[at(segment[0])], &q = mesh.X[at(segment[1])];
   const auto &a = mesh.X[at(c[0])], &b = mesh.X[at(c[1])], &d = mesh.X[at(c[2])];
   const auto volume = [](const Vec3<double>& x, const Vec3<double>& y, const Vec3<double>& z) {
     return dot(x, cross(y, z));
   };
-  const double front = volume(p - a, b - a, d - a), back = volume(q - a, b - a, d - a);
+  const auto normal = cross(b - a, d - a);
+  const double front = dot(p - a, normal), back = dot(q - a, normal);
   if (!(front * back < 0)) return -1;
+  if (std::min(std::abs(front), std::abs(back)) < slack * std::sqrt(dot(normal, normal))) return -1;
   const double s = volume(q - p, a - p, b - p), t = volume(q - p, b - p, d - p),
                w = volume(q - p, d - p, a - p);
   const bool through = (s > 0 && t > 0 && w > 0) || (s < 0 && t < 0 && w < 0);
   return !through ? -1 : front < 0 ? segment[0] : segment[1];
 }
 
-/// Surface nodes of other solids behind facets that an edge at them goes through, with the solid of the
-/// facet.
-std::vector<std::array<int, 2>> nodes_behind(const ContactMesh& mesh, const ContactRules& rules,
+/// A solid whose surface goes through itself: an edge through a facet that it shares no node with. What
+/// overlaps by no more than `slack` may be rounding of sides that touch.
+void refuse_self_crossing(const ContactMesh& mesh, const ContactRules& rules, const Hierarchy& hierarchy,
+                          double slack) {
+  if (!rules.any_self_contact()) return;
+  for (const auto& [a, b] : overlapping_pairs(hierarchy, 0.9 * full_turn / 2).pairs)
+    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+      const Triangle &c = mesh.triangles[at(from)], &facet = mesh.triangles[at(to)];
+      if (mesh.solid[at(c[0])] != mesh.solid[at(facet[0])] ||
+          !rules.may_touch(mesh.region[at(a)], mesh.region[at(b)]))
+        continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::array edge{c[k], c[(k + 1) % 3]};
+        const bool apart =
+            std::none_of(facet.begin(), facet.end(), [&](int n) { return n == edge[0] || n == edge[1]; });
+        if (!apart || !mesh.is_node(edge[0]) || !mesh.is_node(edge[1])) continue;
+        if (end_behind(mesh, edge, facet, slack) >= 0)
+          refuse("the surface goes through itself: the edge from " + node_text(mesh, rules, edge[0]) +
+                 " to node " + std::to_string(mesh.nodes[at(edge[1])]) + " crosses the facet with node " +
+                 std::to_string(mesh.nodes[at(facet[0])]) +
+                 " of the same solid. Correct the mesh, or switch self-contact off");
+      }
+    }
+}
+
+/// Surface nodes of other solids behind facets that an edge at them goes through, with the solid and
+/// the region of the facet.
+std::vector<std::array<int, 3>> nodes_behind(const ContactMesh& mesh, const ContactRules& rules,
                                              const Hierarchy& hierarchy) {
-  std::vector<std::array<int, 2>> found;
+  std::vector<std::array<int, 3>> found;
   for (const auto& [a, b] : overlapping_pairs(hierarchy, full_turn).pairs) {
     if (!rules.may_touch(mesh.region[at(a)], mesh.region[at(b)])) continue;
     for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
@@ -125,7 +175,7 @@ std::vector<std::array<int, 2>> nodes_behind(const ContactMesh& mesh, const Cont
       if (mesh.solid[at(c[0])] == solid) continue;
       for (std::size_t k = 0; k < 3; ++k)
         if (const int n = end_behind(mesh, {c[k], c[(k + 1) % 3]}, facet); n >= 0 && mesh.is_node(n))
-          found.push_back({n, solid});
+          found.push_back({n, solid, mesh.region[at(to)]});
     }
   }
   std::sort(found.begin(), found.end());
@@ -133,19 +183,18 @@ std::vector<std::array<int, 2>> nodes_behind(const ContactMesh& mesh, const Cont
   return found;
 }
 
-[[noreturn]] void refuse_depth(const ContactMesh& mesh, int node, const std::string& depth, double most) {
-  throw Error(ErrorKind::input, "Contact: node " + std::to_string(mesh.nodes[at(node)]) + " starts " + depth +
-                                    " inside of another solid; up to " + number_text(most) +
-                                    " can be resolved. Move the bodies apart, or forbid the pair.");
+[[noreturn]] void refuse_depth(const ContactMesh& mesh, const ContactRules& rules, int node, int region,
+                               const std::string& depth, double most) {
+  refuse(node_text(mesh, rules, node) + " starts " + depth + " inside of another solid, " +
+         rules.body_name(region) + "; up to " + number_text(most) +
+         " can be resolved. Move the bodies apart, or forbid the pair");
 }
 
 /// Where surfaces cross, the nodes behind must be near enough to some facet to come out again.
-void refuse_deep_crossings(const ContactMesh& mesh, const ContactRules& rules, double most) {
-  HierarchySettings settings;
-  settings.margin = 0;
-  const Hierarchy hierarchy = build_hierarchy(mesh.triangles, mesh.X, settings);
+void refuse_deep_crossings(const ContactMesh& mesh, const ContactRules& rules, const Hierarchy& hierarchy,
+                           double most) {
   std::vector<int> near, stack;
-  for (const auto& [node, solid] : nodes_behind(mesh, rules, hierarchy)) {
+  for (const auto& [node, solid, region] : nodes_behind(mesh, rules, hierarchy)) {
     const auto& p = mesh.X[at(node)];
     triangles_near(hierarchy, inflated(Box{p, p}, most), near, stack);
     const bool resolvable = std::any_of(near.begin(), near.end(), [&, solid = solid](int t) {
@@ -154,15 +203,18 @@ void refuse_deep_crossings(const ContactMesh& mesh, const ContactRules& rules, d
              closest_on_triangle(p, mesh.X[at(c[0])], mesh.X[at(c[1])], mesh.X[at(c[2])]).distance_squared <=
                  most * most;
     });
-    if (!resolvable) refuse_depth(mesh, node, "more than " + number_text(most), most);
+    if (!resolvable) refuse_depth(mesh, rules, node, region, "more than " + number_text(most), most);
   }
 }
 
 }  // namespace
 
 double start_depth(const ContactMesh& mesh, const ContactRules& rules, const ContactDistances& distances) {
-  refuse_nested(mesh, rules, 1e-3 * mesh.edge_length);
-  refuse_deep_crossings(mesh, rules, distances.reach);
+  HierarchySettings tight;
+  const Hierarchy hierarchy = build_hierarchy(mesh.triangles, mesh.X, tight);
+  refuse_self_crossing(mesh, rules, hierarchy, distances.slack);
+  refuse_deep_crossings(mesh, rules, hierarchy, distances.reach);
+  refuse_nested(mesh, rules, 1e-3 * mesh.edge_length, distances.reach);
   const double reach = 2 * distances.reach;
   CandidateSearch search(mesh, rules, reach);
   const Candidates& found = search.find(mesh.X, reach);
@@ -178,7 +230,7 @@ double start_depth(const ContactMesh& mesh, const ContactRules& rules, const Con
                                     {reach, 0, 0, distances.slack},
                                     false};
   double deepest = 0;
-  int worst = -1;
+  int worst = -1, region = -1;
   for (int g = 0; g < found.group_count(); ++g) {
     const int node = found.group_node[at(g)], facet = found.facets[at(found.group_begin[at(g)])];
     if (mesh.solid[at(node)] == mesh.solid[at(mesh.triangles[at(facet)][0])]) continue;
@@ -187,9 +239,11 @@ double start_depth(const ContactMesh& mesh, const ContactRules& rules, const Con
     if (touches[at(g)].used && -touches[at(g)].gap > deepest) {
       deepest = -touches[at(g)].gap;
       worst = node;
+      region = mesh.region[at(facet)];
     }
   }
-  if (deepest > distances.reach) refuse_depth(mesh, worst, number_text(deepest), distances.reach);
+  if (deepest > distances.reach)
+    refuse_depth(mesh, rules, worst, region, number_text(deepest), distances.reach);
   return deepest;
 }
 

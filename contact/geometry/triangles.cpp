@@ -71,6 +71,34 @@ std::vector<std::array<int, 3>> neighbours_of(std::span<const Triangle> triangle
   return result;
 }
 
+void part_vertices(std::vector<Triangle>& triangles, std::vector<Vec3<double>>& x) {
+  const auto neighbours = neighbours_of(triangles);
+  const auto start = triangles;
+  std::vector<bool> met(x.size());
+  std::vector<std::array<bool, 3>> done(triangles.size(), {false, false, false});
+  for (std::size_t t = 0; t < start.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (done[t][k]) continue;
+      const int node = start[t][k];
+      const bool first = !met[static_cast<std::size_t>(node)];
+      met[static_cast<std::size_t>(node)] = true;
+      if (!first) x.push_back(x[static_cast<std::size_t>(node)]);
+      std::vector<std::size_t> open{t};  // triangles around the node that hang together
+      while (!open.empty()) {
+        const std::size_t its = open.back();
+        open.pop_back();
+        const auto corner = static_cast<std::size_t>(std::find(start[its].begin(), start[its].end(), node) -
+                                                     start[its].begin());
+        if (done[its][corner]) continue;
+        done[its][corner] = true;
+        if (!first) triangles[its][corner] = static_cast<int>(x.size()) - 1;
+        for (const std::size_t edge : {corner, (corner + 2) % 3})
+          if (const int other = neighbours[its][edge]; other >= 0)
+            open.push_back(static_cast<std::size_t>(other));
+      }
+    }
+}
+
 std::vector<std::array<int, 2>> edges_of(std::span<const Triangle> triangles) {
   std::vector<std::array<int, 2>> edges;
   const auto uses = sorted_uses(triangles);

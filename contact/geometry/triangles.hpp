@@ -18,6 +18,11 @@ std::vector<Triangle> split_facets(std::span<const Facet> facets, std::span<cons
 /// with three or more owners joins none of them.  [triangle_count]
 std::vector<std::array<int, 3>> neighbours_of(std::span<const Triangle> triangles);
 
+/// Gives the triangles that hang together over edges around a node a copy of it where they are not all that
+/// meet there, as at the tips of two cones: each side then has a vertex normal of its own. The first ones
+/// keep the node; copies are appended to x.
+void part_vertices(std::vector<Triangle>& triangles, std::vector<Vec3<double>>& x);
+
 /// Each edge once, lower node first, sorted.
 std::vector<std::array<int, 2>> edges_of(std::span<const Triangle> triangles);
 

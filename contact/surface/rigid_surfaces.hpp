@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <glisson/contact/surface/surface_contact.hpp>
+#include <glisson/contact/surface/surface_overlap.hpp>
 
 namespace glisson::contact {
 

@@ -73,6 +73,11 @@ class SurfaceContact final : public ListContact<B, R> {
     this->touch(step, rule(step, step.t, step.t, step.u),
                 rule(step, step.t, this->end_of(step), step.u_predicted));
   }
+  ContactReport report() const override {
+    ContactReport report = ListContact<B, R>::report();
+    report.search.volumes = node_count_;
+    return report;
+  }
 
  private:
   static std::vector<SurfaceNode<R>> nodes_of_tree(const SurfaceData& data) {

@@ -3,8 +3,6 @@
 #include <cmath>
 
 #include <glisson/contact/bvh/hierarchy.hpp>
-#include <glisson/core/base/error.hpp>
-#include <glisson/core/base/number_text.hpp>
 
 namespace glisson::contact {
 namespace {
@@ -60,13 +58,36 @@ std::vector<SurfaceFacet<double>> facets_of(const std::vector<Triangle>& triangl
   return facets;
 }
 
+/// Whether no edge of what a triangle hangs together with over edges is a border.
+std::vector<bool> closed_parts(const std::vector<Triangle>& triangles) {
+  const auto neighbours = neighbours_of(triangles);
+  std::vector<bool> closed(triangles.size()), seen(triangles.size());
+  for (std::size_t start = 0; start < triangles.size(); ++start) {
+    if (seen[start]) continue;
+    std::vector<std::size_t> part{start};
+    seen[start] = true;
+    bool border = false;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (const int other : neighbours[part[i]]) {
+        border = border || other < 0;
+        if (other < 0 || seen[at(other)]) continue;
+        seen[at(other)] = true;
+        part.push_back(at(other));
+      }
+    for (const std::size_t t : part) closed[t] = !border;
+  }
+  return closed;
+}
+
 }  // namespace
 
 SurfaceData surface_data(const SurfaceMesh& surface, const Vec3<double>& centre) {
   std::vector<Vec3<double>> x;
   for (const auto& X : surface.X) x.push_back(X - centre);
-  const auto triangles = split_facets(surface.facets, x);
+  auto triangles = split_facets(surface.facets, x);
+  part_vertices(triangles, x);
   SurfaceData data;
+  data.closed = closed_parts(triangles);
   data.facets = facets_of(triangles, x);
   data.reach = triangle_sizes(triangles, x).largest;
   HierarchySettings settings;
@@ -84,29 +105,6 @@ SurfacePose pose_at(const RigidSurface& surface, double t) {
             {sa * sb * cc + ca * sc, ca * cc - sa * sb * sc, -sa * cb},
             {sa * sc - ca * sb * cc, sa * cc + ca * sb * sc, ca * cb}}},
           amplitude * surface.displacement};
-}
-
-void refuse_overlap(const RigidSurface& surface, const SurfaceData& data, const std::vector<int>& nodes,
-                    const Mesh& mesh) {
-  const SurfacePose pose = pose_at(surface, 0);
-  SurfaceShape<double> shape = data.shape();
-  shape.reach = 4 * data.reach;
-  double deepest = 0;
-  int worst = -1;
-  for (const int n : nodes) {
-    const Vec3<double> q = transposed_times(pose.turn, mesh.X[at(n)] - surface.centre - pose.shift);
-    if (const double depth = shape(q, q).depth; depth > deepest) {
-      deepest = depth;
-      worst = n;
-    }
-  }
-  if (deepest <= 0.01 * data.reach) return;
-  throw Error(
-      ErrorKind::input,
-      surface.name + ": node " + std::to_string(worst) + " starts " + number_text(deepest) +
-          " behind the surface, so the first step would throw it out. Move the surface or the body apart; "
-          "if the whole body is behind it, turn the facets round: their normals point to the side that "
-          "nodes stay on.");
 }
 
 }  // namespace glisson::contact

@@ -2,7 +2,6 @@
 // time.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include <glisson/contact/surface/surface_shape.hpp>
@@ -14,7 +13,8 @@ namespace glisson::contact {
 struct SurfaceData {
   std::vector<SurfaceNode<double>> nodes;
   std::vector<SurfaceFacet<double>> facets;
-  double reach = 0;  ///< default contact distance: the largest height of its triangles [m]
+  std::vector<bool> closed;  ///< the facet's part of the surface has no border  [facets]
+  double reach = 0;          ///< default contact distance: the largest height of its triangles [m]
 
   SurfaceShape<double> shape() const {
     return {nodes.data(), facets.data(), static_cast<int>(nodes.size()), reach};
@@ -28,11 +28,6 @@ struct SurfacePose {
   Vec3<double> shift;  ///< [m]
 };
 SurfacePose pose_at(const RigidSurface& surface, double t);
-
-/// Throws Error(input) that names the deepest of the nodes when it starts behind the surface by more than a
-/// hundredth of the contact distance.
-void refuse_overlap(const RigidSurface& surface, const SurfaceData& data, const std::vector<int>& nodes,
-                    const Mesh& mesh);
 
 /// a^T v
 template <class R>

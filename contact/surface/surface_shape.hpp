@@ -67,26 +67,7 @@ struct SurfaceShape {
     return {dot(crossing.point - to, crossing.normal), crossing.normal};
   }
 
- private:
-  GLISSON_HD static bool near(const SurfaceNode<R>& node, const Vec3<R>& p, R radius) {
-    return node.low.x <= p.x + radius && p.x - radius <= node.high.x && node.low.y <= p.y + radius &&
-           p.y - radius <= node.high.y && node.low.z <= p.z + radius && p.z - radius <= node.high.z;
-  }
-  GLISSON_HD void cross_facet(const SmoothTriangle<R>& t, const Vec3<R>& from, const Vec3<R>& path,
-                              Crossing<R>& crossing) const {
-    const R slack = R(1e-3) * reach;
-    const Vec3<R> n = t.facet_normal();
-    const R before = dot(from - t.x[0], n), way = dot(path, n);
-    // a node that rests on the facet lies behind it by rounding
-    if (!(way < R(0) && before >= R(0) - slack && before + way < R(0))) return;
-    const R at = (before > R(0) ? before : R(0)) / (R(0) - way);
-    if (!(at < crossing.at)) return;
-    const Vec3<R> p = from + at * path;
-    const TrianglePoint<R> foot = closest_on_triangle(p, t.x[0], t.x[1], t.x[2]);
-    const Vec3<R> edge = t.x[1] - t.x[0];
-    if (foot.distance_squared <= R(1e-8) * dot(edge, edge) + slack * slack)
-      crossing = {at, p, n};  // edges leave no gap
-  }
+  /// How far p is behind the facet that is the closest one to it.
   GLISSON_HD Penetration<R> behind_facet(const SurfaceFacet<R>& facet, const Vec3<R>& p) const {
     const SmoothTriangle<R>& t = facet.smooth;
     const TrianglePoint<R> foot = closest_on_triangle(p, t.x[0], t.x[1], t.x[2]);
@@ -107,6 +88,27 @@ struct SurfaceShape {
     // beside an open surface is not behind it
     if (border && gap.miss > R(1e-3) * reach) return {};
     return {gap.gap < R(0) ? R(0) - gap.gap : R(0), gap.normal};
+  }
+
+ private:
+  GLISSON_HD static bool near(const SurfaceNode<R>& node, const Vec3<R>& p, R radius) {
+    return node.low.x <= p.x + radius && p.x - radius <= node.high.x && node.low.y <= p.y + radius &&
+           p.y - radius <= node.high.y && node.low.z <= p.z + radius && p.z - radius <= node.high.z;
+  }
+  GLISSON_HD void cross_facet(const SmoothTriangle<R>& t, const Vec3<R>& from, const Vec3<R>& path,
+                              Crossing<R>& crossing) const {
+    const R slack = R(1e-3) * reach;
+    const Vec3<R> n = t.facet_normal();
+    const R before = dot(from - t.x[0], n), way = dot(path, n);
+    // a node that rests on the facet lies behind it by rounding
+    if (!(way < R(0) && before >= R(0) - slack && before + way < R(0))) return;
+    const R at = (before > R(0) ? before : R(0)) / (R(0) - way);
+    if (!(at < crossing.at)) return;
+    const Vec3<R> p = from + at * path;
+    const TrianglePoint<R> foot = closest_on_triangle(p, t.x[0], t.x[1], t.x[2]);
+    const Vec3<R> edge = t.x[1] - t.x[0];
+    if (foot.distance_squared <= R(1e-8) * dot(edge, edge) + slack * slack)
+      crossing = {at, p, n};  // edges leave no gap
   }
 };
 

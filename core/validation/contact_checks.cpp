@@ -1,7 +1,9 @@
 // Contact of deformable bodies: numbers that can be used, nodes and names that exist.
 #include <glisson/core/validation/checks.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace glisson::detail {
 namespace {
@@ -22,6 +24,25 @@ void check_pair(const Model& model, const ContactPair& pair) {
   }
 }
 
+/// Whether all solids hang together through elements.
+bool one_solid(const Mesh& mesh) {
+  std::vector<int> parent(mesh.X.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int n) {
+    while (parent[static_cast<std::size_t>(n)] != n) n = parent[static_cast<std::size_t>(n)];
+    return n;
+  };
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (const int n : mesh.element(e)) {
+      const int a = root(mesh.element(e)[0]), b = root(n);
+      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      parent[static_cast<std::size_t>(n)] = std::min(a, b);
+    }
+  for (int e = 0; e < mesh.element_count(); ++e)
+    if (root(mesh.element(e)[0]) != root(mesh.element(0)[0])) return false;
+  return true;
+}
+
 }  // namespace
 
 void check_deformable_contact(const Model& model, Warnings& warnings) {
@@ -37,7 +58,13 @@ void check_deformable_contact(const Model& model, Warnings& warnings) {
     if (n < 0 || n >= model.mesh.node_count())
       refuse(where, "node " + std::to_string(n) + " does not exist: the mesh has nodes 0 to " +
                         std::to_string(model.mesh.node_count() - 1));
-  for (const ContactPair& pair : contact.pairs) check_pair(model, pair);
+  for (std::size_t k = 0; k < contact.pairs.size(); ++k) {
+    const ContactPair& pair = contact.pairs[k];
+    check_pair(model, pair);
+    for (std::size_t j = 0; j < k; ++j)
+      if (std::minmax(pair.a, pair.b) == std::minmax(contact.pairs[j].a, contact.pairs[j].b))
+        refuse(pair.where, "'" + pair.a + "' and '" + pair.b + "' are a pair already; keep one of them");
+  }
   if (!contact.wanted()) {
     if (!contact.pairs.empty())
       warnings.push_back("contact pairs have no effect: contact of deformable bodies is switched off");
@@ -45,6 +72,10 @@ void check_deformable_contact(const Model& model, Warnings& warnings) {
   }
   if (model.mesh.element_count() == 0)
     refuse(where, "there are no solid elements that could touch each other");
+  if (!contact.self && contact.pairs.empty() && model.mesh.triangles.empty() && one_solid(model.mesh))
+    warnings.push_back(where +
+                       " has no effect: all elements hang together. For contact of a body with itself "
+                       "there is DoSelfCollision");
 }
 
 }  // namespace glisson::detail

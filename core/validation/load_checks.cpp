@@ -13,8 +13,7 @@ bool finite(double v) { return std::isfinite(v); }
 
 class LoadChecks {
  public:
-  LoadChecks(const Model& model, std::string kind, std::size_t number)
-      : model_(model), where_(std::move(kind) + " " + std::to_string(number)) {}
+  LoadChecks(const Model& model, std::string where) : model_(model), where_(std::move(where)) {}
 
   void nodes(const std::vector<int>& list, bool empty_is_all = false) const {
     if (list.empty() && !empty_is_all)
@@ -73,8 +72,13 @@ class LoadChecks {
 };
 
 template <class List, class Check>
-void check_each(const Model& model, const char* kind, const List& list, Check check) {
-  for (std::size_t i = 0; i < list.size(); ++i) check(LoadChecks(model, kind, i), list[i]);
+void check_each(const Model& model, const std::string& kind, const List& list, Check check) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    std::string where = kind + " " + std::to_string(i);
+    if constexpr (requires { list[i].name; })
+      if (!list[i].name.empty()) where = list[i].name;  // with its line in the file
+    check(LoadChecks(model, std::move(where)), list[i]);
+  }
 }
 
 void check_node_constraints(const Model& model) {

@@ -6,18 +6,18 @@
 #include <algorithm>
 
 namespace glisson::detail {
-namespace {}  // namespace
-
 std::vector<Facet> facet_list(const XmlElement& element, int node_count) {
   const std::string& type = element.required_attribute("Type");
   if (type != "T3" && type != "Q4")
     element.fail("Type=\"" + type + "\" is not one of a surface; use T3 or Q4");
   const auto corners = static_cast<std::size_t>(type == "T3" ? 3 : 4);
   const auto entries = element.integers();
+  if (const auto wanted = element.integer_attribute("NumEls"); wanted && *wanted <= 0)
+    element.fail("NumEls is " + std::to_string(*wanted) + ", but a surface needs a facet");
   const std::int64_t fit = static_cast<std::int64_t>(entries.size() / corners);
   const std::int64_t count =
       element.integer_attribute("NumEls").value_or(static_cast<int>(std::max<std::int64_t>(fit, 1)));
-  if (count <= 0 || static_cast<std::int64_t>(entries.size()) != count * static_cast<std::int64_t>(corners))
+  if (static_cast<std::int64_t>(entries.size()) != count * static_cast<std::int64_t>(corners))
     element.fail("it holds " + std::to_string(entries.size()) + " numbers, but " + std::to_string(count) +
                  " facets (NumEls) of " + type + " need " +
                  std::to_string(count * static_cast<std::int64_t>(corners)));
@@ -59,6 +59,9 @@ SurfaceMesh read_surface(const Reader& reader, const XmlElement& element) {
 /// mesh.
 std::vector<int> read_slaves(const XmlElement& element, const Mesh& mesh) {
   std::vector<int> nodes;
+  for (const auto name : {"SlaveNodes", "SlvNodes"})
+    if (const auto slaves = element.child(name); slaves != nullptr && !slaves->has_text())
+      slaves->fail("the list of nodes is empty; without the element all surface nodes may touch the surface");
   if (const auto slaves = element.child("SlaveNodes")) {
     const auto surface = nodes_of(outer_surface(mesh));
     for (const int i : index_list(*slaves, slaves->integer_attribute("NumNodes"),

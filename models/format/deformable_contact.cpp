@@ -68,6 +68,14 @@ void require_known(const XmlElement& element, const ContactPair& pair,
       element.fail("no SubModel has Name=\"" + name + "\"" + suggestion(name, names));
 }
 
+void require_first(const XmlElement& element, const std::vector<ContactPair>& pairs) {
+  const ContactPair& last = pairs.back();
+  for (std::size_t k = 0; k + 1 < pairs.size(); ++k)
+    if (std::minmax(pairs[k].a, pairs[k].b) == std::minmax(last.a, last.b))
+      element.fail("the pair of \"" + last.a + "\" and \"" + last.b + "\" has a " + pairs[k].where +
+                   " already; keep one of them");
+}
+
 }  // namespace
 
 void read_deformable_contact(const Reader& reader, const XmlElement& model, Part& part) {
@@ -89,6 +97,9 @@ void read_deformable_contact(const Reader& reader, const XmlElement& model, Part
   for (const auto element : model.all("ContactPair")) {
     contact.pairs.push_back(read_pair(*element));
     require_known(*element, contact.pairs.back(), part.model.bodies_by_name);
+    require_first(*element, contact.pairs);
+    if (const auto friction = element->child("FrictionCoefficient"); friction && !contact.pairs.back().touch)
+      reader.warn(*friction, "it has no effect: the two may not touch");
   }
 }
 

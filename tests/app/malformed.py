@@ -99,8 +99,12 @@ REPLACED = [
     ("contact_surface_flat", "<SystemParams>", floor("0 1 1")),
     ("contact_surface_fin", "<SystemParams>", floor("0 1 2  1 0 3  0 1 4", 3)),
     ("contact_surface_turned", "<SystemParams>", floor("0 1 2  0 1 3", 2)),
+    ("contact_surface_away", "<SystemParams>", floor("0 2 1")),
+    ("contact_surface_twice", "<SystemParams>", floor("0 1 2  0 2 1", 2)),
     ("contact_surface_friction", "<SystemParams>", floor("0 1 2", 1, "<FrictionCoefficient> -0.1 </FrictionCoefficient>")),
     ("reduced_basis", "<SystemParams>", '<ReducedBasis NumVectors="1"/><SystemParams>'),
+    ("plate_in_the_box", "<SystemParams>", "<ContactPlate><a> -1 -1 0.05 </a><b> -1 1 0.05 </b><c> 1 -1 0.05 </c>"
+     "</ContactPlate><SystemParams>"),
     ("cylinder_axis", "<SystemParams>", "<ContactCylinder><Origin> 0 0 0 </Origin><Axis> 0 0 0 </Axis><Radius> 1 </Radius>"
      "<Length> 1 </Length><OrigDisp> 0 0 0 </OrigDisp><RadChange> 0 </RadChange></ContactCylinder><SystemParams>"),
     ("total_time_zero", "<TotalTime> 0.5", "<TotalTime> 0"),

@@ -92,9 +92,19 @@ class Contact(InFolder):
             self.assertLess(probe["force"][1], -0.1)
             self.assertGreater(bodies["touches"], 20)
             self.assertLess(bodies["largest_depth"], 0.05 * 0.0066)  # of the edges of the prostate
-            self.assertGreater(bodies["search"]["searches"], 1)
+            self.check_statistics(probe["search"], bodies["search"])
         self.assertGreater(largest[0], 0.005)
         self.assertAlmostEqual(largest[0], largest[1], delta=1e-3 * largest[1])
+
+    def check_statistics(self, probe, bodies):
+        self.assertEqual(set(probe), {"nodes", "volumes", "total_s"})
+        self.assertGreater(min(probe.values()), 0)
+        self.assertGreater(bodies["searches"], 1)
+        self.assertEqual(bodies["volumes_refitted"], bodies["searches"] * bodies["volumes"])
+        self.assertGreater(bodies["triangle_pairs"], bodies["searches"])
+        self.assertGreater(min(bodies[stage] for stage in ("refit_s", "pairs_s", "lists_s", "touches_s", "forces_s")), 0)
+        self.assertLessEqual(bodies["refit_s"] + bodies["pairs_s"] + bodies["lists_s"], bodies["search_s"])
+        self.assertLessEqual(bodies["search_s"] + bodies["touches_s"] + bodies["forces_s"], bodies["total_s"])
 
 
 class Usage(InFolder):

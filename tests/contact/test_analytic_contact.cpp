@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include <glisson/core/base/error.hpp>
+#include <glisson/core/mesh/box_mesh.hpp>
+
 #include "tests/contact/free_nodes.hpp"
 
 namespace glisson::contact {
@@ -116,6 +119,41 @@ TYPED_TEST(RigidContacts, RestartGivesTheSameBits) {
   model.mesh.X = {{1, 1, 0.93}, {1, 2, 0.8}, {2, 1, 0.99}};
   model.bodies = {pressing_plate()};
   expect_same_bits_after_restart([&] { return Scene<TypeParam>(model, 2); });
+}
+
+/// A unit cube that plates, a cylinder and a probe start in by a share of its edge.
+TEST(RigidContactInput, NodesThatStartDeepInABodyAreRefused) {
+  const Mesh cube = box_mesh({1, 1, 1}, {1, 1, 1}, Shape::hexahedron);
+  const auto refused = [&](const RigidBody& body) -> std::string {
+    try {
+      refuse_overlap(RigidMotion(body), candidate_nodes({}, cube), cube);
+      return "";
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::input);
+      return e.what();
+    }
+  };
+  RigidBody body = pressing_plate();
+  for (const double z : {2.0, 1.0, 0.95}) {
+    for (auto& corner : body.corners) corner.z = z;
+    EXPECT_EQ(refused(body), "");
+  }
+  for (auto& corner : body.corners) corner.z = 0.8;
+  EXPECT_NE(refused(body).find("compression plate: node 4 starts 0.2 behind it"), std::string::npos)
+      << refused(body);
+  std::swap(body.corners[1], body.corners[2]);
+  for (auto& corner : body.corners) corner.z = 2;
+  EXPECT_NE(refused(body).find("exchange b and c"), std::string::npos) << "the cube is on its wrong side";
+  for (const RigidShape shape : {RigidShape::cylinder, RigidShape::probe}) {
+    body.shape = shape;
+    body.axis = {0, 0, 1};
+    body.origin = {-0.5, -0.5, -1};
+    body.length = 3;
+    body.radius = 0.75;
+    EXPECT_EQ(refused(body), "");
+    body.radius = 1;
+    EXPECT_NE(refused(body).find("node 0 starts 0.292893 inside of it"), std::string::npos) << refused(body);
+  }
 }
 
 TEST(RigidContactInput, AnEmptyListMeansTheSurface) {

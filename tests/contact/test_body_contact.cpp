@@ -166,7 +166,8 @@ void expect_refused(const Model& model, const std::string& word) {
 }
 
 TEST(BodyContactRefuses, BodiesThatStartInEachOther) {
-  expect_refused(two_cubes({0.5, 0.1, 0.1}), "inside of another solid");
+  expect_refused(two_cubes({0.5, 0.1, 0.1}), "node 34 of sub-model 'body 0' starts more than");
+  expect_refused(two_cubes({0.5, 0.1, 0.1}), "inside of another solid, sub-model 'body 1'");
   Model nested = two_cubes({0.4, 0.4, 0.4});
   for (std::size_t n = 125; n < nested.mesh.X.size(); ++n)
     nested.mesh.X[n] = Vec3<double>{0.5, 0.5, 0.5} + 0.2 * (nested.mesh.X[n] - Vec3<double>{0.9, 0.9, 0.9});
@@ -195,6 +196,66 @@ TEST(BodyContactRefuses, WrongNumbers) {
   model = two_cubes({1.1, 0, 0});
   model.contact.pairs = {{"pair 7", "body 0", "body 9", true, {}}};
   expect_refused(model, "body 9");
+  model.contact.pairs = {{"pair 7", "body 0", "body 1", true, {}}, {"pair 8", "body 1", "body 0", false, {}}};
+  expect_refused(model, "pair 8: 'body 1' and 'body 0' are a pair already");
+}
+
+TEST(BodyContactRefuses, BodiesAtTheSamePlaceOrWithCommonSides) {
+  expect_refused(two_cubes({0, 0, 0}), "starts inside of the one");
+  expect_refused(two_cubes({0, 0, 0.5}), "starts inside of the one");
+  expect_refused(two_cubes({0.25, 0, 0}), "starts inside of the one");
+  EXPECT_NO_THROW(simulate(two_cubes({0, 0, 1}), serial_double)) << "flush";
+  EXPECT_NO_THROW(simulate(two_cubes({1, 0, 0.5}), serial_double)) << "flush in part";
+}
+
+TEST(BodyContactRefuses, MarginsThatAreTooLargeForTheMesh) {
+  Model model = two_cubes({1.1, 0, 0});
+  model.contact.offset = 0.02;
+  model.contact.distance = 0.08;
+  EXPECT_NO_THROW(simulate(model, serial_double));
+  model.contact.distance = 0.2;
+  expect_refused(model, "too much for surface edges of");
+}
+
+/// A bar of one solid bent into a ring whose ends overlap by a part of their thickness.
+Model ring(double turns) {
+  Model model;
+  Mesh mesh = box_mesh({30, 1, 1}, {1, 1, 1}, Shape::hexahedron);
+  for (auto& X : mesh.X) {
+    const double angle = 6.283185307179586 * turns * X.x, radius = 2 + X.z;
+    X = {-radius * std::cos(angle), X.y + 0.3 * X.x, radius * std::sin(angle)};
+  }
+  add_body(model, mesh, Formulation::h8, {"NH", mu_kappa(1e4, 0.3), 1000});
+  model.time.total = 0.1;
+  return model;
+}
+
+TEST(BodyContactRefuses, NothingButWarnsWhereThereIsOneBody) {
+  const auto warns = [](const Model& model) {
+    const auto warnings = validate(model);
+    return std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
+      return w.find("all elements hang together") != std::string::npos;
+    });
+  };
+  Model model = ring(0.5);
+  model.contact.between_bodies = true;
+  EXPECT_TRUE(warns(model));
+  model.contact.self = true;
+  EXPECT_FALSE(warns(model));
+  model = two_cubes({1.1, 0, 0});
+  EXPECT_FALSE(warns(model));
+}
+
+TEST(BodyContactRefuses, ASolidThatGoesThroughItself) {
+  Model model = ring(1.05);
+  EXPECT_NO_THROW(simulate(model, serial_double)) << "no contact wanted";
+  model.contact.between_bodies = true;
+  EXPECT_NO_THROW(simulate(model, serial_double)) << "no self-contact wanted";
+  model.contact.self = true;
+  expect_refused(model, "the surface goes through itself");
+  model = ring(0.97);
+  model.contact.self = true;
+  EXPECT_NO_THROW(simulate(model, serial_double));
 }
 
 /// Elements that meet at an edge only: the surface has no inside there.

@@ -133,13 +133,15 @@ TEST(NormalCones, MergedConesHoldBothAndAreNarrowest) {
   int narrower = 0;
   for (int i = 0; i < 5000; ++i) {
     const NormalCone a{direction(), angle(random)}, b{direction(), angle(random)};
-    const auto narrow = merged(a, b), provot = merged(a, b, ConeRule::provot);
-    for (const auto& cone : {narrow, provot}) {
+    const auto narrow = merged(a, b), provot = merged(a, b, ConeRule::provot),
+               checked = merged(a, b, ConeRule::provot_or_child);
+    for (const auto& cone : {narrow, provot, checked}) {
       if (cone.angle >= full_turn) continue;
       EXPECT_LE(between(cone.axis, a.axis) + a.angle / 2, cone.angle / 2 + 1e-9);
       EXPECT_LE(between(cone.axis, b.axis) + b.angle / 2, cone.angle / 2 + 1e-9);
     }
-    EXPECT_LE(narrow.angle, provot.angle + 1e-9);
+    EXPECT_LE(narrow.angle, checked.angle + 1e-9);
+    EXPECT_LE(checked.angle, provot.angle + 1e-9);
     const double needed = std::max({a.angle, b.angle, between(a.axis, b.axis) + (a.angle + b.angle) / 2});
     EXPECT_NEAR(narrow.angle, std::min(needed, full_turn), 1e-9);
     narrower += narrow.angle < provot.angle - 1e-6;

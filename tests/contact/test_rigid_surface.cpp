@@ -2,6 +2,7 @@
 #include <glisson/contact/surface/rigid_surfaces.hpp>
 
 #include <cmath>
+#include <numeric>
 
 #include <glisson/core/mesh/box_mesh.hpp>
 #include <glisson/core/mesh/surface.hpp>
@@ -66,6 +67,9 @@ TYPED_TEST(RigidSurfaces, NodesFallOnAFloorAndStayOnIt) {
   for (const int n : {0, 1, 2}) EXPECT_NEAR(scene.position(n).z, 0, eps) << n;
   for (const int n : {3, 4}) EXPECT_LT(scene.position(n).z, -4) << "beside and far below the floor";
   EXPECT_EQ(scene.report().node_count, 3);
+  EXPECT_EQ(scene.report().search.candidates, 5);
+  EXPECT_GT(scene.report().search.volumes, 32) << "boxes of as many facets";
+  EXPECT_GT(scene.report().search.seconds, 0);
   expect_near(scene.report().force, {0, 0, 30}, 5000 * scene.bench.tolerance());
 }
 
@@ -171,17 +175,76 @@ TEST(SurfaceShapes, TellInsideFromOutsideEverywhere) {
   }
 }
 
-TEST(SurfaceShapes, NodesThatStartBehindAreRefused) {
-  Model model;
-  model.mesh.X = {{1, 1, 0}, {1, 2, -0.2}};
-  RigidSurface floor = floor_of();
-  const auto data = surface_data(floor.surface, {});
-  EXPECT_NO_THROW(refuse_overlap(floor, data, {0}, model.mesh));
+void expect_refused(const RigidSurface& surface, const std::vector<Vec3<double>>& X,
+                    const std::string& word) {
+  Mesh mesh;
+  mesh.X = X;
+  std::vector<int> nodes(X.size());
+  std::iota(nodes.begin(), nodes.end(), 0);
   try {
-    refuse_overlap(floor, data, {0, 1}, model.mesh);
-    FAIL();
+    refuse_overlap(surface, surface_data(surface.surface, surface.centre), nodes, mesh);
+    EXPECT_TRUE(word.empty()) << "taken, but: " << word;
   } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("node 1 starts 0.2 behind"), std::string::npos) << e.what();
+    EXPECT_FALSE(word.empty()) << "refused: " << e.what();
+    EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+    EXPECT_EQ(e.place().element, surface.name);
+  }
+}
+void expect_taken(const RigidSurface& surface, const std::vector<Vec3<double>>& X) {
+  expect_refused(surface, X, "");
+}
+RigidSurface turned(RigidSurface surface) {
+  for (Facet& facet : surface.surface.facets) std::swap(facet.nodes[0], facet.nodes[1]);
+  return surface;
+}
+
+TEST(SurfaceStart, NodesBehindAreRefused) {
+  const RigidSurface floor = floor_of();
+  expect_taken(floor, {{1, 1, 0}, {1, 2, 1}});
+  expect_refused(floor, {{1, 1, 0}, {1, 2, -0.2}}, "node 1 starts 0.2 behind");
+  expect_taken(floor, {{1, 1, 1}, {6, 1, -0.1}});
+  expect_taken(floor, {{1, 1, 1}, {1, 1, -30}});
+}
+
+/// A body that lies wholly behind would be thrown to the front when it comes near: at any distance.
+TEST(SurfaceStart, SurfacesThatFaceAwayFromTheBodyAreRefused) {
+  const RigidSurface floor = floor_of(), ball = surface_of(sphere({}, 1, 24, 32));
+  for (const double far : {0.3, 5.0, 300.0}) {
+    expect_refused(turned(floor), {{1, 1, far}, {1, 2, far + 1}}, "no node starts in front of it");
+    expect_taken(turned(floor), {{1, 1, -far}, {1, 2, -far - 1}});
+    expect_taken(ball, {{0, 0, 1 + far}, {0, 1, 1 + far}});
+    expect_refused(turned(ball), {{0, 0, 1 + far}, {0, 1, 1 + far}}, "no node starts in front of it");
+  }
+}
+
+TEST(SurfaceStart, AClosedSurfaceHasAnInsideAtAnyDepth) {
+  const RigidSurface ball = surface_of(sphere({}, 10, 48, 64));  // far larger than its facets
+  const std::vector<Vec3<double>> inside{{0, 0, 0.1}, {2, 1, 0}}, both{{0, 0, 0.1}, {20, 1, 0}};
+  expect_refused(ball, inside, "no node starts in front of it");
+  expect_refused(ball, both, "throw it out");
+  expect_taken(turned(ball), inside);
+  expect_refused(turned(ball), both, "throw it out");
+}
+
+/// Two cones whose tips are one node: beside the tips, and in the cones, the side is that of the nearer one.
+TEST(SurfaceStart, PartsThatMeetAtANodeHaveTheirOwnSides) {
+  TriangleSurface cones;
+  cones.x.push_back({});
+  for (const double side : {-1.0, 1.0}) {
+    const int first = static_cast<int>(cones.x.size());
+    for (int k = 0; k < 12; ++k) cones.x.push_back({std::cos(k * 0.5236), std::sin(k * 0.5236), side});
+    for (int k = 0; k < 12; ++k) {
+      const int a = first + k, b = first + (k + 1) % 12;
+      cones.triangles.push_back(side < 0 ? Triangle{0, a, b} : Triangle{0, b, a});
+    }
+  }
+  const auto data = surface_data(surface_of(cones).surface, {});
+  for (const double far : {0.01, 0.2}) {
+    EXPECT_EQ(data.shape()({far, 0.3 * far, 0.1 * far}, {far, 0.3 * far, 0.1 * far}).depth, 0);
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3<double> in{0.1 * far, 0.05 * far, side * far};
+      EXPECT_GT(data.shape()(in, in).depth, 0.4 * far);
+    }
   }
 }
 

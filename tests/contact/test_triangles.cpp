@@ -37,6 +37,21 @@ TEST(Triangles, OpenAndBranchingEdgesHaveNoNeighbour) {
   for (const auto& n : neighbours_of(fins)) EXPECT_EQ(n, (std::array{-1, -1, -1}));
 }
 
+/// Two fans that meet at node 0 only.
+TEST(Triangles, PartsThatMeetAtANodeGetNodesOfTheirOwn) {
+  std::vector<Vec3<double>> x(8);
+  for (std::size_t n = 0; n < x.size(); ++n) x[n] = {double(n), 0, 0};
+  std::vector<Triangle> triangles{{0, 1, 2}, {2, 3, 0}, {4, 0, 5}, {0, 6, 7}, {5, 0, 6}};
+  part_vertices(triangles, x);
+  EXPECT_EQ(triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 3, 0}, {4, 8, 5}, {8, 6, 7}, {5, 8, 6}}));
+  ASSERT_EQ(x.size(), 9u);
+  EXPECT_EQ(x[8].x, 0);
+  Cube cube;
+  const auto before = cube.triangles;
+  part_vertices(cube.triangles, cube.mesh.X);
+  EXPECT_EQ(cube.triangles, before) << "a closed surface has one fan around each node";
+}
+
 TEST(Triangles, QuadrilateralsSplitAlongTheShorterDiagonal) {
   const std::vector<Vec3<double>> X{{0, 0, 0}, {1, 0, 0}, {3, 3, 0}, {0, 1, 0}};
   const std::vector<Facet> facets{{{0, 1, 2, 3}}};

@@ -118,7 +118,38 @@ TEST_F(FormatFiles, SurfacesOfContact) {
   EXPECT_EQ(plane.facets[0].node_count(), 3);
   ASSERT_EQ(plane.X.size(), 3U);
   for (const auto& X : plane.X) EXPECT_NEAR(X.z, 3.1, 1e-6);  // float in the file
-  EXPECT_THROW(from("<SurfaceFile>nowhere.stl</SurfaceFile>"), Error);
+}
+
+/// Each with the file that is wrong and a word that helps.
+TEST_F(FormatFiles, SurfacesOfContactThatCannotBeUsed) {
+  write("empty.stl", "");
+  write("garbage.vtk", std::string("\1\2\3garbage"));
+  write("nan.stl", replaced(stl_surface, "-5 -5 2.1", "-5 nan 2.1"));
+  const auto lines =
+      "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 0 0\n"
+      "LINES 1 3\n2 0 1\n";
+  write("lines.vtk", lines);
+  fs::create_directories(directory / "folder.stl");
+  const std::pair<const char*, const char*> bad[] = {
+      {"nowhere.stl", "nowhere.stl"},
+      {"folder.stl", "folder.stl"},
+      {"", "empty"},
+      {"empty.stl", "empty.stl"},
+      {"garbage.vtk", "garbage.vtk"},
+      {"nan.stl", "nan.stl"},
+      {"lines.vtk", "lines.vtk"},
+      {"mesh.xyz", "mesh.xyz"},
+      {"plane.stl<ScaleFactor>0</ScaleFactor>", "ScaleFactor"},
+      {"plane.stl<ScaleFactor>-1</ScaleFactor>", "ScaleFactor"},
+      {"plane.stl<Rotation>1 2 3</Rotation>", "Rotation"}};
+  for (const auto& [file, word] : bad) try {
+      read(model(mesh_element,
+                 "<ContactSurface><SurfaceFile>" + std::string(file) + "</SurfaceFile></ContactSurface>"));
+      ADD_FAILURE() << "accepted: " << file;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::input) << file;
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
 }
 
 TEST_F(FormatFiles, TypeChoosesShapesAndFormulations) {

@@ -1,0 +1,72 @@
+#include <glisson/contact/analytic/body_overlap.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <glisson/core/base/error.hpp>
+#include <glisson/core/base/number_text.hpp>
+
+namespace glisson::contact {
+namespace {
+
+const Vec3<double>& at(const Mesh& mesh, int n) { return mesh.X[static_cast<std::size_t>(n)]; }
+
+/// Of the elements and triangles that have the node; infinite without any.
+double shortest_edge_around(const Mesh& mesh, int node) {
+  double shortest = std::numeric_limits<double>::infinity();
+  const auto take = [&](const auto& nodes) {
+    if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) return;
+    for (const int n : nodes) {
+      const auto d = at(mesh, n) - at(mesh, node);
+      if (n != node) shortest = std::min(shortest, std::sqrt(dot(d, d)));
+    }
+  };
+  for (int e = 0; e < mesh.element_count(); ++e) take(mesh.element(e));
+  for (const auto& triangle : mesh.triangles) take(triangle);
+  return shortest;
+}
+
+template <class Shape>
+void refuse_in(const Shape& shape, const RigidMotion& motion, const std::vector<int>& nodes,
+               const Mesh& mesh) {
+  double deepest = 0;
+  int worst = -1;
+  for (const int n : nodes)
+    if (const double depth = shape(at(mesh, n) - motion.reference() - motion.shift(0)).depth;
+        depth > deepest) {
+      deepest = depth;
+      worst = n;
+    }
+  if (worst < 0 || !(deepest > 0.1 * shortest_edge_around(mesh, worst))) return;
+  const bool plate = motion.body().shape == RigidShape::plate;
+  throw Error(ErrorKind::input,
+              "node " + std::to_string(worst) + " starts " + number_text(deepest) +
+                  (plate ? " behind it" : " inside of it") +
+                  ", so the first step would throw it out. Move one of " +
+                  (plate ? "them; if the elements are on its wrong side, exchange b and c" : "them"),
+              {"", 0, motion.body().name});
+}
+
+template <class Shape>
+Shape shape_of(const RigidMotion& motion) {
+  Shape shape;
+  shape_at(motion, 0, shape);
+  return shape;
+}
+
+}  // namespace
+
+void refuse_overlap(const RigidMotion& motion, const std::vector<int>& nodes, const Mesh& mesh) {
+  switch (motion.body().shape) {
+    case RigidShape::plate:
+      return refuse_in(shape_of<Plate<double>>(motion), motion, nodes, mesh);
+    case RigidShape::cylinder:
+      return refuse_in(shape_of<Cylinder<double>>(motion), motion, nodes, mesh);
+    case RigidShape::probe:
+      return refuse_in(shape_of<Probe<double>>(motion), motion, nodes, mesh);
+  }
+}
+
+}  // namespace glisson::contact

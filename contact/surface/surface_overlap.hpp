@@ -1,0 +1,17 @@
+// Rigid surfaces that nodes lie behind in the file.
+#pragma once
+
+#include <vector>
+
+#include <glisson/contact/surface/surface_data.hpp>
+
+namespace glisson::contact {
+
+/// Throws Error(input) that names the deepest of the nodes when it starts behind the surface by more than a
+/// hundredth of the contact distance: behind closed parts at any depth, behind open ones, beside which a body
+/// may reach, up to four contact distances; and when no node is in front of the surface but some lie behind
+/// it at whatever depth, because then the facets are turned the wrong way.
+void refuse_overlap(const RigidSurface& surface, const SurfaceData& data, const std::vector<int>& nodes,
+                    const Mesh& mesh);
+
+}  // namespace glisson::contact
