@@ -19,8 +19,8 @@ __global__ void __launch_bounds__(threads_per_block) for_each_kernel(int n, F bo
 
 }  // namespace cuda
 
-/// One device, one stream: launches run one after the other, so that each sees what those before it wrote. A
-/// fault inside a kernel is reported by the next copy_out.
+/// One device, one stream: launches run one after the other, so that each sees what those before it wrote.
+/// They are sent in groups (cuda/launch_queue.hpp). A fault inside a kernel is reported by the next copy_out.
 class Cuda {
  public:
   static constexpr Space space = Space::device;
@@ -53,16 +53,17 @@ class Cuda {
     constexpr int threads = cuda::threads_per_block;
     launch((n - 1) / threads + 1, threads, 0, cuda::for_each_kernel<F>, n, body);
   }
-  /// Any kernel on the backend's stream.
-  template <class... Parameters, class... Arguments>
+  /// Any kernel, in order with all others.
+  template <class... Parameters>
   void launch(int blocks, int threads, std::size_t shared_bytes, void (*kernel)(Parameters...),
-              const Arguments&... arguments) {
-    device_->before_launch();
-    kernel<<<blocks, threads, shared_bytes, static_cast<cudaStream_t>(stream())>>>(arguments...);
-    device_->after_launch();
+              const std::type_identity_t<Parameters>&... arguments) {
+    device_->launch(reinterpret_cast<const void*>(kernel), blocks, threads, shared_bytes, arguments...);
   }
   /// Until everything that was launched is done; reports what failed in it.
   void wait() { device_->wait(); }
+  /// Between two steps of a simulation; see cuda/launch_queue.hpp.
+  void step_done() { device_->step_done(); }
+  /// Launches wait in a queue: wait() comes before anything else is put on the stream.
   void* stream() { return device_->stream(); }
 
  private:

@@ -68,7 +68,7 @@ int device_number(std::string_view name) {
                                     "'. Choose auto, cpu, serial, cuda or cuda:N with N from 0.");
 }
 
-Device::Device(const Runtime& runtime, int number) : runtime_(runtime), number_(number) {
+Device::Device(const Runtime& runtime, int number) : runtime_(runtime), number_(number), queue_(runtime) {
   int count = 0;
   check(runtime_.device_count(&count), "looking for devices");
   if (count == 0) fail(status::no_device, "looking for devices");
@@ -88,7 +88,7 @@ Device::~Device() {
 
 void* Device::allocate(std::size_t bytes) {
   if (bytes == 0) return nullptr;
-  select();
+  send();
   void* memory = nullptr;
   const int code = runtime_.allocate(&memory, bytes);
   if (code == status::out_of_memory) fail_allocation(bytes);
@@ -101,29 +101,37 @@ void* Device::allocate(std::size_t bytes) {
   return memory;
 }
 
-// A failure here has been, or will be, reported by a call that can throw.
+// What waits may use the memory. A failure here has been, or will be, reported by a call that can throw.
 void Device::release(void* memory) noexcept {
-  if (memory && runtime_.select(number_) == status::done) runtime_.release(memory);
+  if (!memory || runtime_.select(number_) != status::done) return;
+  if (const int code = queue_.send(stream_)) late_ = code;
+  runtime_.release(memory);
 }
 
 void Device::copy_in(const void* from, void* to, std::size_t bytes) {
   if (bytes == 0) return;
-  select();
+  send();
   check(runtime_.copy_in(from, to, bytes, stream_), "copying to it");
 }
 
 void Device::copy_out(const void* from, void* to, std::size_t bytes) {
   if (bytes == 0) return;
-  select();
+  send();
   check(runtime_.copy_out(from, to, bytes, stream_), "copying from it");
 }
 
 void Device::wait() {
-  select();
+  send();
   check(runtime_.wait(stream_), "waiting for it");
 }
 
 void Device::select() { check(runtime_.select(number_), "selecting it"); }
+
+void Device::send() {
+  select();
+  check(late_, "launching a kernel");
+  check(queue_.send(stream_), "launching a kernel");
+}
 
 std::string Device::named() const {
   const std::string name = "cuda:" + std::to_string(number_);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <glisson/cuda/runtime.hpp>
+#include <glisson/cuda/launch_queue.hpp>
 
 namespace glisson::cuda {
 
@@ -33,14 +33,28 @@ class Device {
   void release(void* memory) noexcept;
   void copy_in(const void* from, void* to, std::size_t bytes);
   void copy_out(const void* from, void* to, std::size_t bytes);
+  /// Until everything that was launched is done.
   void wait();
-  /// Around every launch: makes this device the current one of the thread, and checks that the launch went
-  /// out.
-  void before_launch() { select(); }
-  void after_launch() { check(runtime_.launch_status(), "launching a kernel"); }
+  /// Puts a launch into the queue. It is sent with others, at the latest before a copy, a wait or a change of
+  /// memory.
+  template <class... Arguments>
+  void launch(const void* kernel, int blocks, int threads, std::size_t shared_bytes,
+              const Arguments&... arguments) {
+    queue_.add(kernel, blocks, threads, shared_bytes, arguments...);
+    if (queue_.size() >= most_waiting) send();
+  }
+  /// After each step of a simulation, so that what is sent together begins with a step: sends the queue if it
+  /// is long enough to keep the device busy while the host fills it again.
+  void step_done() {
+    if (queue_.size() >= enough_waiting) send();
+  }
 
  private:
+  static constexpr std::size_t enough_waiting = 48, most_waiting = 512;
+
   void select();
+  /// Makes this device the current one of the thread and sends what waits.
+  void send();
   void check(int code, const char* doing) const {
     if (code != status::done) fail(code, doing);
   }
@@ -52,6 +66,8 @@ class Device {
   int number_;
   DeviceFacts facts_;
   void* stream_ = nullptr;
+  LaunchQueue queue_;
+  int late_ = status::done;  ///< of a failure where nothing could be thrown
 };
 
 }  // namespace glisson::cuda

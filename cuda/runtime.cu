@@ -1,5 +1,8 @@
 #include <cuda_runtime.h>
 
+#include <memory>
+#include <vector>
+
 #include <glisson/cuda/runtime.hpp>
 
 namespace glisson::cuda {
@@ -43,6 +46,63 @@ int copy(const void* from, void* to, std::size_t bytes, cudaMemcpyKind kind, voi
   return cudaStreamSynchronize(stream_of(stream));
 }
 
+int launch(const KernelCall& call, void* stream) {
+  return cudaLaunchKernel(call.kernel, dim3(static_cast<unsigned>(call.blocks)),
+                          dim3(static_cast<unsigned>(call.threads)), call.arguments, call.shared_bytes,
+                          stream_of(stream));
+}
+
+cudaKernelNodeParams node_of(const KernelCall& call) {
+  cudaKernelNodeParams node = {};
+  node.func = const_cast<void*>(call.kernel);
+  node.gridDim = dim3(static_cast<unsigned>(call.blocks));
+  node.blockDim = dim3(static_cast<unsigned>(call.threads));
+  node.sharedMemBytes = static_cast<unsigned>(call.shared_bytes);
+  node.kernelParams = call.arguments;
+  return node;
+}
+
+/// A chain of kernels. The graph stays: its nodes name those of what was instantiated from it.
+struct Chain {
+  cudaGraph_t graph = nullptr;
+  cudaGraphExec_t ready = nullptr;
+  std::vector<cudaGraphNode_t> nodes{};
+
+  Chain() = default;
+  Chain(const Chain&) = delete;
+  Chain& operator=(const Chain&) = delete;
+  ~Chain() {
+    if (ready) cudaGraphExecDestroy(ready);
+    if (graph) cudaGraphDestroy(graph);
+  }
+  int add(const KernelCall& call) {
+    const cudaKernelNodeParams node = node_of(call);
+    cudaGraphNode_t added = nullptr;
+    const cudaGraphNode_t* before = nodes.empty() ? nullptr : &nodes.back();
+    const int code = cudaGraphAddKernelNode(&added, graph, before, nodes.empty() ? 0 : 1, &node);
+    nodes.push_back(added);
+    return code;
+  }
+};
+
+int make_graph(void** graph, const KernelCall* calls, int count) {
+  auto chain = std::make_unique<Chain>();
+  if (const int code = cudaGraphCreate(&chain->graph, 0)) return code;
+  for (int k = 0; k < count; ++k)
+    if (const int code = chain->add(calls[k])) return code;
+  if (const int code = cudaGraphInstantiate(&chain->ready, chain->graph, 0)) return code;
+  *graph = chain.release();
+  return status::done;
+}
+
+Chain& chain_of(void* graph) { return *static_cast<Chain*>(graph); }
+
+int replace_in_graph(void* graph, int k, const KernelCall& call) {
+  const cudaKernelNodeParams node = node_of(call);
+  Chain& chain = chain_of(graph);
+  return cudaGraphExecKernelNodeSetParams(chain.ready, chain.nodes[static_cast<std::size_t>(k)], &node);
+}
+
 const Runtime table{
     [](int* count) -> int { return cudaGetDeviceCount(count); },
     describe,
@@ -63,7 +123,14 @@ const Runtime table{
       return copy(from, to, bytes, cudaMemcpyDeviceToHost, stream);
     },
     [](void* stream) -> int { return cudaStreamSynchronize(stream_of(stream)); },
+    launch,
     []() -> int { return cudaGetLastError(); },
+    make_graph,
+    replace_in_graph,
+    [](void* graph, void* stream) -> int {
+      return cudaGraphLaunch(chain_of(graph).ready, stream_of(stream));
+    },
+    [](void* graph) { delete static_cast<Chain*>(graph); },
     [](int code) -> const char* { return cudaGetErrorString(static_cast<cudaError_t>(code)); },
 };
 

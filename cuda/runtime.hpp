@@ -21,6 +21,14 @@ constexpr int done = 0, out_of_memory = 2, old_driver = 35, no_device = 100, inv
               launch_failure = 719;
 }  // namespace status
 
+/// `arguments` points to one pointer per argument of the kernel, as cudaLaunchKernel takes them.
+struct KernelCall {
+  const void* kernel;
+  int blocks, threads;
+  std::size_t shared_bytes;
+  void** arguments;
+};
+
 struct Runtime {
   int (*device_count)(int* count);
   int (*describe)(int device, DeviceFacts* facts);
@@ -35,7 +43,14 @@ struct Runtime {
   int (*copy_in)(const void* from, void* to, std::size_t bytes, void* stream);
   int (*copy_out)(const void* from, void* to, std::size_t bytes, void* stream);
   int (*wait)(void* stream);
-  int (*launch_status)();  ///< of the last launch, and forgets it
+  int (*launch)(const KernelCall& call, void* stream);
+  int (*launch_status)();  ///< of the last call that failed, and forgets it
+  /// A graph in which each call waits for the one before it.
+  int (*make_graph)(void** graph, const KernelCall* calls, int count);
+  /// Another call of the same kernel as call k, for the launches of the graph to come.
+  int (*replace_in_graph)(void* graph, int k, const KernelCall& call);
+  int (*launch_graph)(void* graph, void* stream);
+  void (*destroy_graph)(void* graph);
   const char* (*text)(int code);
 };
 

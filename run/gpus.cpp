@@ -19,6 +19,10 @@ std::vector<Gpu> find_gpus() {
   return gpus;
 }
 
+void require_gpu(const std::string& device) {
+  cuda::Device(cuda::real_runtime(), cuda::device_number(device));
+}
+
 double gpu_copy_bandwidth(const std::string& device) {
   return cuda::measure_copy_bandwidth(cuda::device_number(device), std::size_t{256} << 20);
 }
@@ -44,6 +48,8 @@ std::unique_ptr<AnySimulation> simulate_cuda_double(const Model&, int number) { 
 std::unique_ptr<AnySimulation> simulate_cuda_float(const Model&, int number) { refuse(number); }
 
 }  // namespace detail
+
+void require_gpu(const std::string& device) { detail::refuse(cuda::device_number(device)); }
 
 double gpu_copy_bandwidth(const std::string& device) { detail::refuse(cuda::device_number(device)); }
 

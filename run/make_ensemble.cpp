@@ -5,6 +5,7 @@
 
 #include <glisson/core/base/error.hpp>
 #include <glisson/run/ensembles.hpp>
+#include <glisson/run/gpus.hpp>
 #include <glisson/run/simulate.hpp>
 
 namespace glisson {
@@ -54,10 +55,9 @@ std::unique_ptr<AnyEnsemble> make_ensemble(std::vector<Model> members, const Sim
     return detail::lane_ensemble(std::move(members), threads, options.instruction_set);
   if (cpu && options.precision == Precision::double_precision)
     return detail::plain_ensemble(std::move(members), threads, detail::simulate_serial_double);
-  if (options.device.rfind("cuda", 0) == 0)
-    throw Error(ErrorKind::device,
-                "Ensembles do not run on the device '" + options.device + "' yet. Use --device cpu.");
-  return detail::plain_ensemble(std::move(members), 1,
+  const bool cuda = options.device.starts_with("cuda");
+  if (cuda) require_gpu(options.device);  // otherwise every member would fail by itself
+  return detail::plain_ensemble(std::move(members), cuda ? threads : 1,
                                 [options](const Model& model) { return make_simulation(model, options); });
 }
 

@@ -5,7 +5,10 @@ namespace glisson {
 
 template <Backend B, class R>
 void Simulation<B, R>::step(std::int64_t count) {
-  for (std::int64_t i = 0; i < count && !finished(); ++i) one_step();
+  for (std::int64_t i = 0; i < count && !finished(); ++i) {
+    one_step();
+    if constexpr (requires { backend_.step_done(); }) backend_.step_done();
+  }
   if constexpr (requires { backend_.wait(); }) backend_.wait();
 }
 

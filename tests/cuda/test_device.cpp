@@ -1,80 +1,14 @@
 // What each failure of the CUDA runtime means to a user, with a runtime that fails on demand: no GPU needed.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <cstring>
 #include <string>
 
 #include <glisson/core/base/error.hpp>
 #include <glisson/cuda/device.hpp>
+#include <tests/cuda/fake_runtime.hpp>
 
 namespace glisson::cuda {
 namespace {
-
-/// A machine with two GPUs of ordinary memory. `code` is what the call named `fails` returns.
-struct Fake {
-  int devices = 2, code = 0, live_blocks = 0, live_streams = 0, current = -1;
-  std::string fails;
-};
-Fake fake;
-
-int fail_or(const char* call, int code = 0) { return fake.fails == call ? fake.code : code; }
-
-const Runtime fake_runtime{
-    [](int* count) {
-      *count = fake.devices;
-      return fail_or("device_count");
-    },
-    [](int, DeviceFacts* facts) {
-      *facts = {"Fake 1", 8, 6, std::size_t{8} << 30};
-      return fail_or("describe");
-    },
-    [](int device) {
-      fake.current = device;
-      return fail_or("select");
-    },
-    [] { return fail_or("check_kernels"); },
-    [](void** stream) {
-      *stream = &fake;
-      ++fake.live_streams;
-      return fail_or("create_stream");
-    },
-    [](void*) {
-      --fake.live_streams;
-      return 0;
-    },
-    [](void** memory, std::size_t bytes) {
-      if (const int code = fail_or("allocate")) return code;
-      *memory = std::malloc(bytes);
-      std::memset(*memory, 0xff, bytes);
-      ++fake.live_blocks;
-      return 0;
-    },
-    [](void* memory) {
-      std::free(memory);
-      --fake.live_blocks;
-      return 0;
-    },
-    [](std::size_t* available, std::size_t* total) {
-      *available = std::size_t{100} << 20, *total = std::size_t{8} << 30;
-      return fail_or("memory_info");
-    },
-    [](void* memory, std::size_t bytes, void*) {
-      std::memset(memory, 0, bytes);
-      return fail_or("clear");
-    },
-    [](const void* from, void* to, std::size_t bytes, void*) {
-      std::memcpy(to, from, bytes);
-      return fail_or("copy_in");
-    },
-    [](const void* from, void* to, std::size_t bytes, void*) {
-      std::memcpy(to, from, bytes);
-      return fail_or("copy_out");
-    },
-    [](void*) { return fail_or("wait"); },
-    [] { return fail_or("launch_status"); },
-    [](int) { return "as the runtime calls it"; },
-};
 
 class CudaDevice : public testing::Test {
  protected:
@@ -159,10 +93,15 @@ TEST_F(CudaDevice, EveryCallReportsALostDevice) {
   check("copy_in", [&] { device.copy_in(&value, memory, sizeof value); });
   check("copy_out", [&] { device.copy_out(memory, &value, sizeof value); });
   check("wait", [&] { device.wait(); });
-  check("select", [&] { device.before_launch(); });
-  check("launch_status", [&] { device.after_launch(); });
+  check("select", [&] { device.wait(); });
   check("allocate", [&] { device.allocate(8); });
+  const auto launch = [&] { device.launch(add_kernel, 1, 1, 0, 1, static_cast<int*>(memory)); };
+  check("launch", [&] { launch(), device.wait(); });
+  launch();
+  let_fail("launch", status::illegal_address);
   device.release(memory);
+  fake.fails = "";
+  expect_words(message([&] { device.wait(); }), {"launching a kernel", "lost"});
 }
 
 TEST_F(CudaDevice, UncorrectableMemoryIsNotAResult) {

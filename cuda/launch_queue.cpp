@@ -1,0 +1,97 @@
+#include <glisson/cuda/launch_queue.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace glisson::cuda {
+
+bool LaunchSequence::same_arguments(std::size_t k, const LaunchSequence& other) const {
+  const auto row_after = [&](std::size_t launch) {
+    return launch + 1 < launches_.size() ? launches_[launch + 1].first_argument : first_row_.size();
+  };
+  const auto row_of = [&](std::size_t argument) {
+    return argument < first_row_.size() ? first_row_[argument] : rows_.size();
+  };
+  const std::size_t first = row_of(launches_[k].first_argument), last = row_of(row_after(k));
+  return std::memcmp(rows_.data() + first, other.rows_.data() + first, (last - first) * sizeof(Row)) == 0;
+}
+
+std::vector<KernelCall> LaunchSequence::calls() {
+  pointers_.clear();
+  for (const std::size_t row : first_row_) pointers_.push_back(rows_.data() + row);
+  std::vector<KernelCall> result;
+  result.reserve(launches_.size());
+  for (const Launch& l : launches_)
+    result.push_back({l.kernel, l.blocks, l.threads, l.shared_bytes, pointers_.data() + l.first_argument});
+  return result;
+}
+
+LaunchQueue::~LaunchQueue() {
+  for (const Known& known : known_)
+    if (known.graph) runtime_.destroy_graph(known.graph);
+}
+
+int LaunchQueue::send(void* stream) {
+  if (waiting_.size() == 0) return status::done;
+  const int code = send_all(stream);
+  waiting_.clear();
+  return code;
+}
+
+int LaunchQueue::send_all(void* stream) {
+  if (!graphs_ || waiting_.size() < shortest_graph) return send_one_by_one(stream);
+  Known* known = find();
+  if (!known) {
+    const int code = send_one_by_one(stream);
+    remember();
+    return code;
+  }
+  known->last_use = ++sent_;
+  if (known->graph) {
+    if (const int code = replace_changed(*known)) return code;
+  } else {
+    const auto calls = waiting_.calls();
+    if (runtime_.make_graph(&known->graph, calls.data(), static_cast<int>(calls.size())) != status::done) {
+      runtime_.launch_status();  // forgets the error: all works without graphs, only slower
+      known->graph = nullptr;
+      graphs_ = false;
+      return send_one_by_one(stream);
+    }
+  }
+  std::swap(known->sequence, waiting_);
+  return runtime_.launch_graph(known->graph, stream);
+}
+
+int LaunchQueue::send_one_by_one(void* stream) {
+  for (const KernelCall& call : waiting_.calls())
+    if (const int code = runtime_.launch(call, stream)) return code;
+  return status::done;
+}
+
+int LaunchQueue::replace_changed(Known& known) {
+  const auto calls = waiting_.calls();
+  for (std::size_t k = 0; k < calls.size(); ++k) {
+    if (waiting_.same_arguments(k, known.sequence)) continue;
+    if (const int code = runtime_.replace_in_graph(known.graph, static_cast<int>(k), calls[k])) return code;
+  }
+  return status::done;
+}
+
+LaunchQueue::Known* LaunchQueue::find() {
+  const auto found = std::find_if(known_.begin(), known_.end(),
+                                  [&](const Known& known) { return known.sequence.like(waiting_); });
+  return found == known_.end() ? nullptr : &*found;
+}
+
+/// A sequence that is seen for the first time may never come again: its graph is made when it does.
+void LaunchQueue::remember() {
+  if (known_.size() == most_graphs) {
+    const auto oldest = std::min_element(
+        known_.begin(), known_.end(), [](const Known& a, const Known& b) { return a.last_use < b.last_use; });
+    if (oldest->graph) runtime_.destroy_graph(oldest->graph);
+    known_.erase(oldest);
+  }
+  known_.push_back({waiting_, nullptr, ++sent_});
+}
+
+}  // namespace glisson::cuda
