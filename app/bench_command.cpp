@@ -148,16 +148,9 @@ nlohmann::ordered_json result_of(Entry& entry, double bandwidth) {
           {"turns", entry.seconds_per_step.size()}};
 }
 
-}  // namespace
-
-int bench(const BenchArguments& arguments) {
-  if (!arguments.members.empty()) {
-    bench_ensembles(arguments);
-    return exit_done;
-  }
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+/// All variants take turns at each size.
+nlohmann::ordered_json bench_steps(const BenchArguments& arguments, double bandwidth) {
   const auto list = chosen(arguments.cases);
-  const double bandwidth = bandwidth_of(arguments);
   fmt::print(
       "memory bandwidth {:.1f} GB/s; share: bytes of all arrays, each once per step, over time and "
       "bandwidth\n",
@@ -174,15 +167,30 @@ int bench(const BenchArguments& arguments) {
         e.seconds_per_step.push_back(e.run(e.steps_per_turn) / static_cast<double>(e.steps_per_turn));
     for (auto& entry : entries) results.push_back(result_of(entry, bandwidth));
   }
-  if (arguments.json.empty()) return exit_done;
-  const nlohmann::ordered_json all{{"version", version},
-                                   {"threads", arguments.threads > 0 ? arguments.threads : cores},
-                                   {"bandwidth_bytes_per_s", bandwidth},
-                                   {"results", results}};
-  const auto folder = std::filesystem::path(arguments.json).parent_path();
+  return results;
+}
+
+void write(const std::string& file, const nlohmann::ordered_json& all) {
+  const auto folder = std::filesystem::path(file).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder);
-  write_atomically(arguments.json, [&](std::ostream& out) { out << all.dump(2) << '\n'; });
-  fmt::print("written: {}\n", arguments.json);
+  write_atomically(file, [&](std::ostream& out) { out << all.dump(2) << '\n'; });
+  fmt::print("written: {}\n", file);
+}
+
+}  // namespace
+
+int bench(const BenchArguments& arguments) {
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  nlohmann::ordered_json all{{"version", version},
+                             {"threads", arguments.threads > 0 ? arguments.threads : cores}};
+  if (!arguments.members.empty()) {
+    all["ensembles"] = bench_ensembles(arguments);
+  } else {
+    const double bandwidth = bandwidth_of(arguments);
+    all["bandwidth_bytes_per_s"] = bandwidth;
+    all["results"] = bench_steps(arguments, bandwidth);
+  }
+  if (!arguments.json.empty()) write(arguments.json, all);
   return exit_done;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include <glisson/app/box_case.hpp>
@@ -27,7 +28,8 @@ double median(std::vector<double> values) {
 }
 
 /// Single run and ensemble take turns; both in ns per element, step and member.
-void compare(const std::vector<Model>& members, const SimulationOptions& options, double seconds) {
+nlohmann::ordered_json compare(const std::vector<Model>& members, const SimulationOptions& options,
+                               double seconds) {
   const auto single = make_simulation(members[0], options);
   const auto ensemble = make_ensemble(members, options);
   const auto count = static_cast<double>(members.size());
@@ -45,23 +47,31 @@ void compare(const std::vector<Model>& members, const SimulationOptions& options
   const double a = median(alone), b = median(together);
   fmt::print("{:>9} {:>8} {:>14.2f} {:>14.2f} {:>8.2f} {:>18.3g}  {}\n", elements, members.size(), a, b,
              a / b, 1e9 / b, ensemble->device());
+  return {{"elements", elements},
+          {"members", members.size()},
+          {"device", ensemble->device()},
+          {"single_ns_per_element_and_step", a},
+          {"ensemble_ns_per_element_and_step", b},
+          {"element_steps_per_s", 1e9 / b}};
 }
 
 }  // namespace
 
-void bench_ensembles(const BenchArguments& arguments) {
+nlohmann::ordered_json bench_ensembles(const BenchArguments& arguments) {
   fmt::print("{:>9} {:>8} {:>14} {:>14} {:>8} {:>18}\n", "elements", "members", "single ns/el",
              "ensemble ns/el", "gain", "element-steps/s");
   SimulationOptions options;
   options.device = arguments.device;
   options.threads = arguments.threads;
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
   for (const int size : arguments.sizes)
     for (const int count : arguments.members) {
       std::vector<Model> members(static_cast<std::size_t>(count), box_model({.name = "T4"}, size, 100));
       for (std::size_t k = 0; k < members.size(); ++k)
         members[k].sections[0].material.parameters[0] *= 1 + 0.5 * static_cast<double>(k) / count;
-      compare(members, options, arguments.seconds);
+      results.push_back(compare(members, options, arguments.seconds));
     }
+  return results;
 }
 
 }  // namespace glisson::app

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs on the GPU machine, from the folder that tools/gpu-check.sh packed: needs bash, coreutils, a driver, nothing else.
 # compute-sanitizer is used where it is installed. Leaves one JSON file for bench/results/.
-# usage: run.sh [--result FILE] [--only devices|tests|repeats|sanitizers|bench]... [--bench-sizes 10000,1000000]
+# usage: run.sh [--result FILE] [--only devices|tests|repeats|sanitizers|bench|ensembles]... [--bench-sizes 10000,1000000]
 # exit code: 0 all passed, 1 something failed, 2 wrong use, 4 no GPU here.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -83,6 +83,10 @@ fi
 if wanted bench; then
   check "bench" 300 "$here/bin/glisson" bench --device cuda --sizes "$sizes" --json "$here/out/bench.json"
 fi
+if wanted ensembles; then
+  check "ensembles" 200 "$here/bin/glisson" bench --device cuda --sizes 10000 --ensembles 32,256,1024 \
+    --json "$here/out/ensembles.json"
+fi
 
 # | feature | steps | difference | to JSON
 precision_rows() {
@@ -105,7 +109,8 @@ mkdir -p "$(dirname "$result")"
   echo "  \"single_against_double\": ["
   precision_rows
   echo "  ],"
-  echo "  \"bench\": $(cat "$here/out/bench.json" 2>/dev/null || echo null)"
+  echo "  \"bench\": $(cat "$here/out/bench.json" 2>/dev/null || echo null),"
+  echo "  \"ensembles\": $(cat "$here/out/ensembles.json" 2>/dev/null || echo null)"
   echo "}"
 } >"$result"
 echo "written: $result"

@@ -51,6 +51,7 @@ class GpuCheck(unittest.TestCase):
         self.assertIn("Fake 1", found["device"])
         self.assertEqual(found["single_against_double"][0], {"feature": "element T4", "steps": 1000, "difference": 2.9e-07})
         self.assertEqual(found["bench"], {"version": "1"})
+        self.assertEqual(found["ensembles"], {"version": "1"})
         self.assertLessEqual({c["status"] for c in found["checks"]}, {"passed", "not run"})
 
     def test_no_gpu(self):
