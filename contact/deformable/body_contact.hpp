@@ -42,6 +42,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   double work() const override { return work_.total(); }
 
   void add_forces(const StepView<R>& step) override {
+    if (!step.advance) return add_next_forces(step);
     const auto start = std::chrono::steady_clock::now();
     const Extent<R> extent = surface_.place(step, lists_.force().get());
     const bool lost = !std::isfinite(double(extent.drift));  // the energy account names the node
@@ -68,6 +69,14 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   using Clock = std::chrono::steady_clock;
   static double since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  /// The forces that the next step will find with the candidates of the last one; leaves no trace.
+  void add_next_forces(const StepView<R>& step) {
+    const auto kept = lists_.keep();
+    const Extent<R> extent = surface_.place(step, lists_.force().get());
+    if (std::isfinite(double(extent.drift))) resolve(4 * std::sqrt(double(extent.motion)) > distances_.reach);
+    work_.run(step, lists_.internal_nodes(), lists_.found_force(), lists_.node_count());
+    lists_.restore(kept);
   }
   /// Candidates for nodes that move up to 3 such steps or `room` without another search.
   void search(double motion) {

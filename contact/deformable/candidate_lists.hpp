@@ -91,6 +91,25 @@ class CandidateLists {
     for (std::size_t c = 0; c < pressing.size(); ++c) host_touches_[c].pressing = pressing[c];
     touches_.put(host_touches_);
   }
+  /// What a step changes in the slots and nodes.
+  struct Kept {
+    std::vector<Touch<R>> touches;
+    std::vector<Vec4<R>> force;
+    std::vector<R> deepest;
+  };
+  Kept keep() const {
+    Kept kept{std::vector<Touch<R>>(std::size_t(slots_)), std::vector<Vec4<R>>(host_.size()),
+              std::vector<R>(host_.size())};
+    if (slots_ > 0) backend_.copy_out(touches_.get(), kept.touches.data(), kept.touches.size());
+    backend_.copy_out(force_.get(), kept.force.data(), kept.force.size());
+    backend_.copy_out(deepest_.get(), kept.deepest.data(), kept.deepest.size());
+    return kept;
+  }
+  void restore(const Kept& kept) {
+    touches_.put(kept.touches);
+    backend_.copy_in(kept.force.data(), force_.get(), kept.force.size());
+    backend_.copy_in(kept.deepest.data(), deepest_.get(), kept.deepest.size());
+  }
   const Buffer<Vec4<R>>& force() const { return force_; }
   const Buffer<Vec4<R>>& last() const { return last_; }
   const Buffer<R>& deepest() const { return deepest_; }

@@ -104,7 +104,7 @@ std::vector<Vec3<double>> Simulation<B, R>::displacement() const {
 }
 
 /// Forces of the present state in the user's order, without touching the run; f is zero before and after.
-/// With loads: what is left of them in the free directions.
+/// With loads and contact: what is left of them in the free directions.
 template <Backend B, class R>
 std::vector<Vec3<double>> Simulation<B, R>::forces_for_user(bool with_loads) const {
   StepView<R> view = make_view();
@@ -114,6 +114,7 @@ std::vector<Vec3<double>> Simulation<B, R>::forces_for_user(bool with_loads) con
   if (with_loads) {
     for (auto& load : parts_.loads) load->add_forces(view);
     for (auto& user : users_) user->add_forces(view);
+    predict_and_touch(view);
   }
   if (with_loads) parts_.constraints->project(nodes_.f());
   auto forces = nodes_.for_user(nodes_.f(), parts_.numbering);

@@ -74,7 +74,7 @@ void Simulation<B, R>::add_forces(StepView<R>& view) {
 
 /// Contact sees where the nodes would be without it, constrained nodes where they will be.
 template <Backend B, class R>
-void Simulation<B, R>::predict_and_touch(StepView<R>& view) {
+void Simulation<B, R>::predict_and_touch(StepView<R>& view) const {
   if (!u_predicted_) return;
   with_stepper([&]<class S>(const S& stepper) {
     backend_.for_each(nodes_.count(), PredictNodes<R, S>{view.u, view.v, view.f, u_predicted_.get(), stepper,
