@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <vector>
 
 #include <glisson/app/commands.hpp>
@@ -105,6 +106,21 @@ void print_memory(const AnySimulation& simulation, const Model& model) {
              bytes_text(static_cast<double>(peak_memory()) + snapshot));
 }
 
+/// Bodies that lie in each other by more than the rounding of a file.
+void warn_of_overlap(const AnySimulation& simulation, const Mesh& mesh, std::vector<std::string>& warnings) {
+  Vec3<double> low = mesh.X.front(), high = low;
+  for (const auto& X : mesh.X) {
+    low = {std::min(low.x, X.x), std::min(low.y, X.y), std::min(low.z, X.z)};
+    high = {std::max(high.x, X.x), std::max(high.y, X.y), std::max(high.z, X.z)};
+  }
+  const Vec3<double> size = high - low;
+  for (const auto& [name, report] : simulation.contacts())
+    if (report.start_depth > 1e-6 * std::sqrt(dot(size, size)))
+      warnings.push_back(
+          fmt::format("{}: bodies start up to {:.3g} inside of each other; the first steps will part them",
+                      name, report.start_depth));
+}
+
 }  // namespace
 
 int check(const CheckArguments& arguments) {
@@ -130,6 +146,7 @@ int check(const CheckArguments& arguments) {
   auto warnings = input.warnings;
   if (report.planned_steps > 0 && report.dt > report.stable_step)
     warnings.push_back(fmt::format("the TimeStep of {:.4g} s is above the stable step", report.dt));
+  warn_of_overlap(*simulation, model.mesh, warnings);
   if (arguments.predict) predict(*simulation, report);
   for (const auto& warning : warnings) fmt::print("warning: {}\n", warning);
   fmt::print("{}: can be run, {} warning{}\n", arguments.file, warnings.size(),

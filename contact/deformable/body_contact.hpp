@@ -28,8 +28,8 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
         mesh_(contact_mesh(model)),
         rules_(model, mesh_),
         distances_(contact_distances(model.contact, mesh_)),
-        start_depth_(start_depth(mesh_, rules_, distances_)),
         search_(mesh_, rules_, distances_.reach),
+        start_depth_(start_depth(mesh_, rules_, distances_, search_.hierarchy())),
         surface_(backend, mesh_, model, numbering),
         lists_(backend, mesh_),
         work_(backend, mesh_.node_count()) {
@@ -121,8 +121,8 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   ContactMesh mesh_;
   ContactRules rules_;
   ContactDistances distances_;
-  double start_depth_;
   CandidateSearch search_;
+  double start_depth_;
   SurfaceState<B, R> surface_;
   CandidateLists<B, R> lists_;
   ListWork<B, R> work_;
@@ -150,7 +150,7 @@ ContactReport BodyContact<B, R>::report() const {
   report.start_depth = start_depth_;
   const SearchCounts& counts = search_.counts();
   report.between_bodies = true;
-  report.search = {search_.volume_count(),
+  report.search = {search_.hierarchy().node_count(),
                    counts.searches,
                    counts.volumes_refitted,
                    counts.subtrees_tested,

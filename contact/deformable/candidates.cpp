@@ -41,10 +41,14 @@ HierarchySettings settings_for(double margin) {
 }  // namespace
 
 CandidateSearch::CandidateSearch(const ContactMesh& mesh, const ContactRules& rules, double reach)
+    : CandidateSearch(mesh, rules, reach, build_hierarchy(mesh.triangles, mesh.X, settings_for(reach))) {}
+
+CandidateSearch::CandidateSearch(const ContactMesh& mesh, const ContactRules& rules, double reach,
+                                 Hierarchy hierarchy)
     : mesh_(mesh),
       rules_(rules),
       reach_(reach),
-      hierarchy_(build_hierarchy(mesh.triangles, mesh.X, settings_for(reach))),
+      hierarchy_(std::move(hierarchy)),
       normal_(mesh.triangles.size()),
       ridge_(mesh.edges.size()) {}
 

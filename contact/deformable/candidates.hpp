@@ -40,11 +40,13 @@ class CandidateSearch {
  public:
   /// The mesh and the rules must outlive the search. reach: distance up to which contacts are looked for [m].
   CandidateSearch(const ContactMesh& mesh, const ContactRules& rules, double reach);
+  /// The same with a hierarchy of the mesh that is built already.
+  CandidateSearch(const ContactMesh& mesh, const ContactRules& rules, double reach, Hierarchy hierarchy);
 
   /// Candidates while every node stays within `margin` - reach / 2 of x [m]  [point_count]
   const Candidates& find(const std::vector<Vec3<double>>& x, double margin);
   const SearchCounts& counts() const { return counts_; }
-  int volume_count() const { return hierarchy_.node_count(); }
+  const Hierarchy& hierarchy() const { return hierarchy_; }
 
  private:
   bool node_may_meet(int node, int facet) const;

@@ -209,14 +209,16 @@ void refuse_deep_crossings(const ContactMesh& mesh, const ContactRules& rules, c
 
 }  // namespace
 
-double start_depth(const ContactMesh& mesh, const ContactRules& rules, const ContactDistances& distances) {
-  HierarchySettings tight;
-  const Hierarchy hierarchy = build_hierarchy(mesh.triangles, mesh.X, tight);
+double start_depth(const ContactMesh& mesh, const ContactRules& rules, const ContactDistances& distances,
+                   const Hierarchy& its) {
+  Hierarchy hierarchy = its;
+  hierarchy.settings.margin = 0;
+  refit(hierarchy, mesh.triangles, mesh.X);
   refuse_self_crossing(mesh, rules, hierarchy, distances.slack);
   refuse_deep_crossings(mesh, rules, hierarchy, distances.reach);
   refuse_nested(mesh, rules, 1e-3 * mesh.edge_length, distances.reach);
   const double reach = 2 * distances.reach;
-  CandidateSearch search(mesh, rules, reach);
+  CandidateSearch search(mesh, rules, reach, std::move(hierarchy));
   const Candidates& found = search.find(mesh.X, reach);
   RestSurface surface(mesh);
   std::vector<Touch<double>> touches(at(found.group_count()));

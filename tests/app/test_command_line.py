@@ -96,6 +96,19 @@ class Contact(InFolder):
         self.assertGreater(largest[0], 0.005)
         self.assertAlmostEqual(largest[0], largest[1], delta=1e-3 * largest[1])
 
+    def test_bodies_that_start_in_each_other(self):
+        sub = lambda name, z: f"""<SubModel Name="{name}"><Nodes NumNodes="8" DOF="3">
+            0 0 {z}  1 0 {z}  1 1 {z}  0 1 {z}  0 0 {z + 1}  1 0 {z + 1}  1 1 {z + 1}  0 1 {z + 1} </Nodes>
+            <Elements NumEls="1" Type="H8"> 0 1 2 3 4 5 6 7 </Elements><ElementSet Size="all"><Material Type="NH">
+            <ElasticParams NumParams="2"> 2000 20000 </ElasticParams></Material></ElementSet></SubModel>"""
+        for z, code, words in ((1.0, 0, ""), (0.9, 0, "bodies start up to 0.1 inside of each other"),
+                               (0.5, 3, "starts inside of the one with node")):
+            file = self.write("two.xml", f"""<Model>{sub("low", 0)}{sub("high", z)}<SystemParams><TotalTime> 1 </TotalTime>
+                <Density> 1000 </Density><DoDeformableCollision> 1 </DoDeformableCollision></SystemParams></Model>""")
+            done = run("check", file)
+            self.expect(done, code, words)
+            self.assertEqual("bodies start" in done.stdout, z == 0.9)
+
     def check_statistics(self, probe, bodies):
         self.assertEqual(set(probe), {"nodes", "volumes", "total_s"})
         self.assertGreater(min(probe.values()), 0)
