@@ -17,6 +17,10 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// Share of the search depth from which bodies may start in each other: a node that goes deeper than the
+/// whole in the first steps is lost.
+constexpr double largest_start_depth = 0.8;
+
 [[noreturn]] void refuse(const std::string& message) {
   throw Error(ErrorKind::input, message, {"", 0, contact_place});
 }
@@ -65,14 +69,14 @@ std::optional<double> depth_in(const ContactMesh& mesh, const Vec3<double>& p, c
   return turns > 1.5 ? std::sqrt(nearest) : 0;
 }
 
-/// Whether a node of a solid, or the point 1.5 `most` under it in its own solid, lies deep in another one. Of
+/// Whether a node of a solid, or the point 2 `most` under it in its own solid, lies deep in another one. Of
 /// two solids at the same place the nodes themselves lie on both.
 bool lies_in(const ContactMesh& mesh, int node, const Vec3<double>& normal, const Solid& own,
              const Solid& other, double on, double most) {
   const auto depth = [&](double under, const Solid& solid) {
     return depth_in(mesh, mesh.X[at(node)] - under * normal, solid, on).value_or(0);
   };
-  return depth(2 * on, other) > most || (depth(1.5 * most, other) > most && depth(1.5 * most, own) > 0);
+  return depth(2 * on, other) > most || (depth(2 * most, other) > most && depth(2 * most, own) > 0);
 }
 
 /// Solids that share more of space than their surfaces show, in each other or at the same place; some nodes
@@ -214,9 +218,10 @@ double start_depth(const ContactMesh& mesh, const ContactRules& rules, const Con
   Hierarchy hierarchy = its;
   hierarchy.settings.margin = 0;
   refit(hierarchy, mesh.triangles, mesh.X);
+  const double most = largest_start_depth * distances.reach;
   refuse_self_crossing(mesh, rules, hierarchy, distances.slack);
-  refuse_deep_crossings(mesh, rules, hierarchy, distances.reach);
-  refuse_nested(mesh, rules, 1e-3 * mesh.edge_length, distances.reach);
+  refuse_deep_crossings(mesh, rules, hierarchy, most);
+  refuse_nested(mesh, rules, 1e-3 * mesh.edge_length, most);
   const double reach = 2 * distances.reach;
   CandidateSearch search(mesh, rules, reach, std::move(hierarchy));
   const Candidates& found = search.find(mesh.X, reach);
@@ -244,8 +249,7 @@ double start_depth(const ContactMesh& mesh, const ContactRules& rules, const Con
       region = mesh.region[at(facet)];
     }
   }
-  if (deepest > distances.reach)
-    refuse_depth(mesh, rules, worst, region, number_text(deepest), distances.reach);
+  if (deepest > most) refuse_depth(mesh, rules, worst, region, number_text(deepest), most);
   return deepest;
 }
 

@@ -168,6 +168,7 @@ void expect_refused(const Model& model, const std::string& word) {
 TEST(BodyContactRefuses, BodiesThatStartInEachOther) {
   expect_refused(two_cubes({0.5, 0.1, 0.1}), "node 34 of sub-model 'body 0' starts more than");
   expect_refused(two_cubes({0.5, 0.1, 0.1}), "inside of another solid, sub-model 'body 1'");
+  expect_refused(two_cubes({0.955, 0.05, 0.05}), "up to 0.04 can be resolved");
   Model nested = two_cubes({0.4, 0.4, 0.4});
   for (std::size_t n = 125; n < nested.mesh.X.size(); ++n)
     nested.mesh.X[n] = Vec3<double>{0.5, 0.5, 0.5} + 0.2 * (nested.mesh.X[n] - Vec3<double>{0.9, 0.9, 0.9});
