@@ -48,7 +48,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     const bool lost = !std::isfinite(double(extent.drift));  // the energy account names the node
     if (!lost && (!listed_ || !(double(extent.drift) < room_ * room_)))
       search(std::sqrt(double(extent.motion)));
-    if (!lost) resolve(4 * std::sqrt(double(extent.motion)) > distances_.reach);
+    if (!lost) resolve(std::sqrt(double(extent.motion)));
     work_.run(step, lists_.internal_nodes(), lists_.found_force(), lists_.node_count());
     seconds_ += since(start);
   }
@@ -92,15 +92,17 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     lists_.put(search_.find(x_, room_ + 0.5 * distances_.reach), extra, internal_);
     listed_ = true;
   }
-  void resolve(bool fast) {
+  /// motion: of the fastest node in the step [m]
+  void resolve(double motion) {
     const SurfaceView<R> surface = surface_.view();
     const TouchLimits<R> limits{R(distances_.reach), R(distances_.offset), R(distances_.close),
                                 R(distances_.slack)};
     const PushedNodes<R> pushed = lists_.pushed();
     const int slots = lists_.slots(), nodes = lists_.node_count();
     if (nodes == 0) return;
+    const double swept = 4 * motion > distances_.reach ? 2 * motion + distances_.slack : 0;
     const auto start = Clock::now();
-    backend_.for_each(lists_.groups(), lists_.find_facets(surface, limits, fast));
+    backend_.for_each(lists_.groups(), lists_.find_facets(surface, limits, R(swept)));
     backend_.for_each(slots - lists_.groups(), lists_.find_edges(surface, limits));
     touch_seconds_ += since(start);
     const auto found = Clock::now();

@@ -64,11 +64,10 @@ class CandidateLists {
   const int* internal_nodes() const { return internal_.get(); }
   Touch<R>* touches() const { return touches_.get(); }
 
-  FindFacetTouch<R> find_facets(const SurfaceView<R>& surface, const TouchLimits<R>& limits,
-                                bool fast) const {
+  FindFacetTouch<R> find_facets(const SurfaceView<R>& surface, const TouchLimits<R>& limits, R swept) const {
     return {surface,     group_node_.get(), group_begin_.get(), facets_.get(),
             bias_.get(), friction_.get(),   touches_.get(),     limits,
-            fast};
+            swept};
   }
   FindEdgeTouch<R> find_edges(const SurfaceView<R>& surface, const TouchLimits<R>& limits) const {
     return {surface, edges_.get(), pairs_.get(), friction_.get() + groups_, touches_.get() + groups_, limits};
