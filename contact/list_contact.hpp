@@ -20,11 +20,12 @@ struct ContactPart {
   std::int64_t node_count = 0;  ///< not int: saved as bytes, where padding would be random
   Vec3<double> force;
 };
-/// Rule: penetration(i, n).depth and force(i, n).
+/// Rule: penetration(i, n).depth.
 template <class R, class Rule>
 struct CollectReport {
-  Rule now;          ///< body and nodes at t
-  Rule next;         ///< as predicted for t + dt
+  Rule now;              ///< body and nodes at t
+  const Vec4<R>* force;  ///< just added, times `share` [N]  [entry_count]
+  double share;
   const int* nodes;  ///< [entry_count]
   int entry_count;
   ContactPart* parts;  ///< [ceil(entry_count / entries_per_sum)]
@@ -36,8 +37,8 @@ struct CollectReport {
     for (int i = c * entries_per_sum; i < end; ++i) {
       const double depth = double(now.penetration(i, nodes[i]).depth);
       if (depth > part.depth) part.depth = depth;
-      const Vec3<R> f = next.force(i, nodes[i]);
-      part.force = part.force + Vec3<double>{double(f.x), double(f.y), double(f.z)};
+      const Vec4<R> f = force[i];
+      part.force = part.force + (1 / share) * Vec3<double>{double(f.x), double(f.y), double(f.z)};
       part.node_count += f.x != R(0) || f.y != R(0) || f.z != R(0);
     }
     if (part.depth > part.largest_depth) part.largest_depth = part.depth;
@@ -120,10 +121,10 @@ class ListContact : public ForceProvider<R>, public ContactSource {
   template <class Rule>
   void touch(const StepView<R>& step, const Rule& now, const Rule& next) {
     const auto start = std::chrono::steady_clock::now();
-    if (work_.counts(step))
-      backend_.for_each(work_.chunk_count(),
-                        CollectReport<R, Rule>{now, next, nodes_.get(), count_, parts_.get()});
     work_.run(step, nodes_.get(), next);
+    if (work_.counts(step))
+      backend_.for_each(work_.chunk_count(), CollectReport<R, Rule>{now, last_.get(), work_.share(step),
+                                                                    nodes_.get(), count_, parts_.get()});
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   int count() const { return count_; }
