@@ -95,12 +95,16 @@ class ListContact : public ForceProvider<R>, public ContactSource {
 
  protected:
   using Entries = std::map<int, Vec4<R>>;
-  /// Rest positions relative to a point, by internal node.
+  /// Rest positions relative to a point, by internal node; w: the node's offset, if there are any.
   static Entries entries_of(const std::vector<int>& nodes, const Vec3<double>& reference, const Mesh& mesh,
-                            const Numbering& numbering) {
+                            const Numbering& numbering, const std::vector<double>& offset = {}) {
     return detail::by_node<Vec4<R>>(
         numbering, nodes,
-        [&](std::size_t k) { return detail::narrow<R>(mesh.X[std::size_t(nodes[k])] - reference); },
+        [&](std::size_t k) {
+          Vec4<R> X = detail::narrow<R>(mesh.X[std::size_t(nodes[k])] - reference);
+          X.w = offset.empty() ? R(0) : R(offset[std::size_t(nodes[k])]);
+          return X;
+        },
         [](Vec4<R>&, const Vec4<R>&) {});
   }
   ListContact(B& backend, std::string name, const Entries& entries)

@@ -56,6 +56,8 @@ class ForceProvider {
   /// Largest stable step that this provider allows [s].
   virtual double stable_step() const { return std::numeric_limits<double>::infinity(); }
   virtual bool needs_prediction() const { return false; }
+  /// Whether those after it need a prediction that has this force in it.
+  virtual bool moves_prediction() const { return false; }
   virtual void add_forces(const StepView<R>& step) = 0;
   /// Work done on the nodes since the start [J]; 0 for providers that do not say.
   virtual double work() const { return 0; }

@@ -169,10 +169,12 @@ struct RigidSurface {
   std::vector<int> nodes;  ///< nodes that may touch it; empty: all surface nodes
 };
 
-/// Consecutive elements with a name that contact pairs are chosen by: a sub-model of a file.
+/// Consecutive elements and shell triangles with a name that contact pairs are chosen by: a sub-model of a
+/// file.
 struct NamedElements {
   std::string name;
   int first = 0, count = 0;
+  int first_triangle = 0, triangle_count = 0;
 };
 
 /// Whether two named bodies may touch and how rough they are; a body with itself: its self-contact.
@@ -183,7 +185,8 @@ struct ContactPair {
   std::optional<double> friction;  ///< [-]; empty: that of DeformableContact
 };
 
-/// Contact of the outer surfaces of solids with each other and with themselves (Johnsen 2016, chapter 5).
+/// Contact of the outer surfaces of solids and of membranes and shells with each other and with themselves
+/// (Johnsen 2016, chapter 5).
 struct DeformableContact {
   bool between_bodies = false;     ///< parts of the surface that are not connected
   bool self = false;               ///< each connected part with itself
@@ -194,6 +197,13 @@ struct DeformableContact {
   std::vector<ContactPair> pairs;
 
   bool wanted() const { return between_bodies || self; }
+};
+
+/// Nodes of one body that are glued to the surface of another.
+struct TiedSurfaces {
+  std::string where;               ///< for messages: "TiedSurfaces at line 12"
+  std::string a, b;                ///< names of Model::bodies_by_name: nodes of a, facets of b
+  std::optional<double> distance;  ///< from a facet up to which nodes are tied [m]; empty: from the mesh
 };
 
 struct InitialVelocity {
@@ -251,6 +261,7 @@ struct Model {
   std::vector<RigidBody> bodies;
   std::vector<RigidSurface> surfaces;
   DeformableContact contact;
+  std::vector<TiedSurfaces> ties;
   std::vector<NamedElements> bodies_by_name;
   std::vector<InitialVelocity> initial_velocities;
   TimeSettings time;

@@ -10,6 +10,7 @@
 #include <glisson/contact/analytic/rigid_bodies.hpp>
 #include <glisson/contact/deformable/body_contact.hpp>
 #include <glisson/contact/surface/rigid_surfaces.hpp>
+#include <glisson/contact/tied/tied_surfaces.hpp>
 #include <glisson/core/loads/make_loads.hpp>
 #include <glisson/core/simulation/simulation.hpp>
 #include <glisson/core/solids/mass.hpp>
@@ -55,6 +56,7 @@ std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> b
   parts.bodies = contact::make_rigid_bodies<B, R>(*backend, model, parts.numbering, parts.mass);
   contact::add_rigid_surfaces<B, R>(*backend, model, parts.numbering, parts.bodies);
   contact::add_body_contact<B, R>(*backend, model, parts.numbering, parts.bodies);
+  contact::add_tied_surfaces<B, R>(*backend, model, parts.numbering, parts.mass, parts.bodies);
   parts.constraints = std::make_unique<Constraints<B, R>>(*backend, model, parts.numbering);
   parts.backend = std::move(backend);
   return std::make_unique<Simulation<B, R>>(model, std::move(parts));

@@ -64,7 +64,8 @@ class Hasher {
   void add(const RigidSurface& s) {
     all(s.surface.X, s.surface.facets, s.friction, s.displacement, s.angles, s.centre, s.motion, s.nodes);
   }
-  void add(const NamedElements& b) { all(b.name, b.first, b.count); }
+  void add(const TiedSurfaces& t) { all(t.a, t.b, t.distance); }
+  void add(const NamedElements& b) { all(b.name, b.first, b.count, b.first_triangle, b.triangle_count); }
   void add(const ContactPair& p) { all(p.a, p.b, p.touch, p.friction); }
   void add(const DeformableContact& c) {
     all(c.between_bodies, c.self, c.friction, c.offset, c.distance, c.nodes, c.pairs);
@@ -98,8 +99,8 @@ std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t start
 std::uint64_t model_hash(const Model& m) {
   Hasher hasher;
   hasher.all(m.mesh, m.sections, m.shells, m.clamped_nodes, m.fixed, m.displacements, m.forces, m.gravity,
-             m.pressures, m.tractions, m.springs, m.planes, m.bodies, m.surfaces, m.contact, m.bodies_by_name,
-             m.initial_velocities, m.time);
+             m.pressures, m.tractions, m.springs, m.planes, m.bodies, m.surfaces, m.contact, m.ties,
+             m.bodies_by_name, m.initial_velocities, m.time);
   return hasher.hash();
 }
 

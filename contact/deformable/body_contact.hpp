@@ -74,7 +74,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   void add_next_forces(const StepView<R>& step) {
     const auto kept = lists_.keep();
     const Extent<R> extent = surface_.place(step, lists_.force().get());
-    if (std::isfinite(double(extent.drift))) resolve(4 * std::sqrt(double(extent.motion)) > distances_.reach);
+    if (std::isfinite(double(extent.drift))) resolve(std::sqrt(double(extent.motion)));
     work_.run(step, lists_.internal_nodes(), lists_.found_force(), lists_.node_count());
     lists_.restore(kept);
   }
@@ -89,7 +89,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   }
   void list(const std::vector<int>& extra) {
     surface_.reference_to(x_);
-    lists_.put(search_.find(x_, room_ + 0.5 * distances_.reach), extra, internal_);
+    lists_.put(search_.find(x_, room_ * distances_.swing + 0.5 * distances_.reach), extra, internal_);
     listed_ = true;
   }
   /// motion: of the fastest node in the step [m]
@@ -100,7 +100,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     const PushedNodes<R> pushed = lists_.pushed();
     const int slots = lists_.slots(), nodes = lists_.node_count();
     if (nodes == 0) return;
-    const double swept = 4 * motion > distances_.reach ? 2 * motion + distances_.slack : 0;
+    const double swept = 4 * motion > distances_.reach ? 2 * distances_.swing * motion + distances_.slack : 0;
     const auto start = Clock::now();
     backend_.for_each(lists_.groups(), lists_.find_facets(surface, limits, R(swept)));
     backend_.for_each(slots - lists_.groups(), lists_.find_edges(surface, limits));
@@ -181,7 +181,7 @@ std::vector<std::byte> BodyContact<B, R>::save() const {
       .buffer(backend_, lists_.last(), internal_.size())
       .buffer(backend_, lists_.deepest(), internal_.size());
   work_.save(out);
-  for (const R pressing : lists_.pressing()) out.value(pressing);
+  for (const auto& slot : lists_.memory()) out.value(slot);
   return out.take();
 }
 
@@ -203,10 +203,10 @@ void BodyContact<B, R>::load(std::span<const std::byte> bytes) {
   in.buffer(backend_, lists_.deepest(), internal_.size());
   work_.load(in);
   if (listed) list(nodes);
-  std::vector<R> pressing(std::size_t(lists_.slots()));
-  for (R& its : pressing) in.value(its);
+  std::vector<typename CandidateLists<B, R>::Memory> memory(std::size_t(lists_.slots()));
+  for (auto& slot : memory) in.value(slot);
   in.end();
-  lists_.set_pressing(pressing);
+  lists_.set_memory(memory);
 }
 
 /// Appends the contact of deformable bodies if the model wants it.

@@ -28,6 +28,7 @@ class CandidateLists {
         pushing_count_(backend),
         bias_(backend),
         friction_(backend),
+        entry_(backend),
         touches_(backend),
         share_(detail::zeros<R>(backend, mesh.nodes.size())),
         deepest_(detail::zeros<R>(backend, mesh.nodes.size())),
@@ -53,6 +54,9 @@ class CandidateLists {
     host_reals_.assign(found.group_friction.begin(), found.group_friction.end());
     host_reals_.insert(host_reals_.end(), found.edge_friction.begin(), found.edge_friction.end());
     friction_.put(host_reals_);
+    host_reals_.assign(found.group_entry.begin(), found.group_entry.end());
+    host_reals_.insert(host_reals_.end(), found.edge_entry.begin(), found.edge_entry.end());
+    entry_.put(host_reals_);
     put_touches(found);
     put_nodes(found, extra, internal);
   }
@@ -65,29 +69,41 @@ class CandidateLists {
   Touch<R>* touches() const { return touches_.get(); }
 
   FindFacetTouch<R> find_facets(const SurfaceView<R>& surface, const TouchLimits<R>& limits, R swept) const {
-    return {surface,     group_node_.get(), group_begin_.get(), facets_.get(),
-            bias_.get(), friction_.get(),   touches_.get(),     limits,
-            swept};
+    return {surface,         group_node_.get(), group_begin_.get(), facets_.get(), bias_.get(),
+            friction_.get(), entry_.get(),      touches_.get(),     limits,        swept};
   }
   FindEdgeTouch<R> find_edges(const SurfaceView<R>& surface, const TouchLimits<R>& limits) const {
-    return {surface, edges_.get(), pairs_.get(), friction_.get() + groups_, touches_.get() + groups_, limits};
+    return {surface,
+            edges_.get(),
+            pairs_.get(),
+            friction_.get() + groups_,
+            entry_.get() + groups_,
+            touches_.get() + groups_,
+            limits};
   }
   PushedNodes<R> pushed() const {
     return {nodes_.get(), incident_begin_.get(), incident_.get(), pushing_.get(), pushing_count_.get(),
             share_.get(), deepest_.get(),        moved_.get(),    force_.get()};
   }
   FoundForce<R> found_force() const { return {nodes_.get(), force_.get(), last_.get()}; }
-  /// Multipliers of all slots [N], which the next step starts from.
-  std::vector<R> pressing() const {
+  /// What the next step needs to know of each slot.
+  struct Memory {
+    R pressing = R(0);  ///< the multiplier, which it starts from [N]
+    R came = R(0);      ///< TouchSide; a number like the other, so that nothing saved is padding
+  };
+  std::vector<Memory> memory() const {
     std::vector<Touch<R>> touches(host_keys_.size());
     if (!touches.empty()) backend_.copy_out(touches_.get(), touches.data(), touches.size());
-    std::vector<R> result;
-    for (const Touch<R>& t : touches) result.push_back(t.pressing);
+    std::vector<Memory> result;
+    for (const Touch<R>& t : touches) result.push_back({t.pressing, R(t.came)});
     return result;
   }
-  void set_pressing(const std::vector<R>& pressing) {
-    host_touches_.assign(pressing.size(), Touch<R>{});
-    for (std::size_t c = 0; c < pressing.size(); ++c) host_touches_[c].pressing = pressing[c];
+  void set_memory(const std::vector<Memory>& memory) {
+    host_touches_.assign(memory.size(), Touch<R>{});
+    for (std::size_t c = 0; c < memory.size(); ++c) {
+      host_touches_[c].pressing = memory[c].pressing;
+      host_touches_[c].came = static_cast<int>(memory[c].came);
+    }
     touches_.put(host_touches_);
   }
   /// What a step changes in the slots and nodes.
@@ -138,19 +154,19 @@ class CandidateLists {
       keys.push_back({0, found.group_node[g], found.group_region[g]});
     for (const auto& [a, b] : found.edge_pairs) keys.push_back({1, a, b});
   }
-  /// Contacts that were candidates before keep their multiplier.
+  /// Contacts that were candidates before keep their memory.
   void put_touches(const Candidates& found) {
-    const std::vector<R> before = pressing();
+    const std::vector<Memory> before = memory();
     host_old_keys_.swap(host_keys_);
     host_keys_.clear();
     append_keys(found, host_keys_);
-    host_pressing_.assign(host_keys_.size(), R(0));
+    host_memory_.assign(host_keys_.size(), {});
     std::size_t old = 0;
     for (std::size_t c = 0; c < host_keys_.size(); ++c) {
       while (old < before.size() && host_old_keys_[old] < host_keys_[c]) ++old;
-      if (old < before.size() && host_old_keys_[old] == host_keys_[c]) host_pressing_[c] = before[old];
+      if (old < before.size() && host_old_keys_[old] == host_keys_[c]) host_memory_[c] = before[old];
     }
-    set_pressing(host_pressing_);
+    set_memory(host_memory_);
   }
   /// Merges both rising lists; the extra ones have no slots.
   void put_nodes(const Candidates& found, const std::vector<int>& extra, const std::vector<int>& internal) {
@@ -181,13 +197,14 @@ class CandidateLists {
   Buffer<EdgeCorners> edges_;
   Resizable<B, int> group_node_, group_begin_, facets_, pairs_, nodes_, internal_, incident_begin_, incident_,
       pushing_, pushing_count_;
-  Resizable<B, R> bias_, friction_;
+  Resizable<B, R> bias_, friction_, entry_;
   Resizable<B, Touch<R>> touches_;
   Buffer<R> share_, deepest_;  ///< [surface nodes], like those below
   Buffer<Vec4<R>> moved_, force_, last_;
   std::vector<Vec4<R>> host_;
   std::vector<int> host_nodes_, host_begin_, host_internal_, host_pairs_;
-  std::vector<R> host_reals_, host_pressing_;
+  std::vector<R> host_reals_;
+  std::vector<Memory> host_memory_;
   std::vector<Touch<R>> host_touches_;
   std::vector<Key> host_keys_, host_old_keys_;
 };

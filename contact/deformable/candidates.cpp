@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <glisson/contact/geometry/closest_points.hpp>
@@ -32,6 +33,13 @@ void sort_unique(std::vector<T>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
+/// Half of both thicknesses, where the middles meet: less far in it is in front, farther it comes from the
+/// other side. A twentieth more, for what starts at the middle. Negative: not a sheet.
+double entry_depth(double half_a, double half_b) {
+  if (half_a < 0 && half_b < 0) return std::numeric_limits<double>::infinity();
+  return 1.05 * (std::max(half_a, 0.0) + std::max(half_b, 0.0));
+}
+
 HierarchySettings settings_for(double margin) {
   HierarchySettings settings;
   settings.margin = margin;
@@ -50,7 +58,9 @@ CandidateSearch::CandidateSearch(const ContactMesh& mesh, const ContactRules& ru
       reach_(reach),
       hierarchy_(std::move(hierarchy)),
       normal_(mesh.triangles.size()),
-      ridge_(mesh.edges.size()) {}
+      ridge_(mesh.edges.size()) {
+  for (int k = 0; k < mesh.corner_count(); ++k) on_sheet_.push_back(mesh.on_sheet(k));
+}
 
 void CandidateSearch::refit_to(const std::vector<Vec3<double>>& x, double margin) {
   x_ = x;
@@ -66,7 +76,7 @@ void CandidateSearch::refit_to(const std::vector<Vec3<double>>& x, double margin
   for (std::size_t e = 0; e < ridge_.size(); ++e) {
     const ContactEdge& edge = mesh_.edges[e];
     const auto aside = x_[at(edge.opposite[1])] - x_[at(edge.node[0])];
-    ridge_[e] = mesh_.is_node(edge.node[1]) &&
+    ridge_[e] = mesh_.is_corner(edge.node[1]) &&
                 dot(normal_[at(edge.triangle[0])], aside) < -ridge_slope * std::sqrt(dot(aside, aside));
   }
 }
@@ -100,11 +110,19 @@ void CandidateSearch::find_pairs() {
   counts_.triangle_pairs += static_cast<std::int64_t>(pairs_.size());
 }
 
+/// Whether the nodes of two corners are those of one facet.
 bool CandidateSearch::adjacent(int a, int b) const {
-  for (int i = mesh_.around_begin[at(a)]; i < mesh_.around_begin[at(a + 1)]; ++i)
-    for (const int n : mesh_.facet_nodes(mesh_.around[at(i)]))
-      if (n == b) return true;
-  return false;
+  const int n = mesh_.node_of(a), m = mesh_.node_of(b);
+  const auto first = mesh_.near.begin();
+  return std::binary_search(first + mesh_.near_begin[at(n)], first + mesh_.near_begin[at(n + 1)], m);
+}
+
+/// Largest half thickness of a sheet at corners of one of its sides [m]; -1: not of a sheet.
+double CandidateSearch::half_thickness(std::span<const int> corners) const {
+  double half = -1;
+  for (const int k : corners)
+    if (on_sheet_[at(k)]) half = std::max(half, mesh_.offset_of(k));
+  return half;
 }
 
 /// Of one solid, neighbours do not count as contacts, nor does the other side of a thin wall, which lies
@@ -113,7 +131,7 @@ bool CandidateSearch::node_may_meet(int node, int facet) const {
   const Triangle& c = mesh_.triangles[at(facet)];
   if (mesh_.solid[at(node)] == mesh_.solid[at(c[0])]) {
     for (const int n : mesh_.facet_nodes(facet))
-      if (n == node || (n >= 0 && adjacent(n, node))) return false;
+      if (n >= 0 && adjacent(n, node)) return false;
     const auto& A = mesh_.X[at(c[0])];
     const double rest =
         closest_on_triangle(mesh_.X[at(node)], A, mesh_.X[at(c[1])], mesh_.X[at(c[2])]).distance_squared;
@@ -163,6 +181,16 @@ void CandidateSearch::facets_near(int node, std::vector<std::array<int, 2>>& fou
   std::sort(found.begin(), found.end());
 }
 
+void CandidateSearch::start_group(int node, int region, int facet) {
+  found_.group_node.push_back(node);
+  found_.group_region.push_back(region);
+  found_.group_friction.push_back(rules_.friction(mesh_.point_region[at(node)], region));
+  const bool of_sheet = mesh_.sheet[at(facet)] >= 0;
+  found_.group_entry.push_back(
+      entry_depth(half_thickness({&node, 1}), of_sheet ? half_thickness(mesh_.triangles[at(facet)]) : -1));
+  found_.group_begin.push_back(found_.group_begin.back());
+}
+
 void CandidateSearch::find_groups() {
   set_partners();
   seen_.assign(mesh_.triangles.size(), -1);
@@ -170,19 +198,15 @@ void CandidateSearch::find_groups() {
   found_.group_region.clear();
   found_.group_begin.assign(1, 0);
   found_.group_friction.clear();
+  found_.group_entry.clear();
   found_.facets.clear();
   found_.bias.clear();
-  for (int node = 0; node < mesh_.node_count(); ++node) {
-    if (!mesh_.may_touch[at(node)]) continue;
+  for (int node = 0; node < mesh_.corner_count(); ++node) {
+    if (!mesh_.may_touch[at(mesh_.node_of(node))]) continue;
     facets_near(node, meetings_);
     for (std::size_t i = 0; i < meetings_.size(); ++i) {
       const auto [region, facet] = meetings_[i];
-      if (i == 0 || region != meetings_[i - 1][0]) {
-        found_.group_node.push_back(node);
-        found_.group_region.push_back(region);
-        found_.group_friction.push_back(rules_.friction(mesh_.node_region[at(node)], region));
-        found_.group_begin.push_back(found_.group_begin.back());
-      }
+      if (i == 0 || region != meetings_[i - 1][0]) start_group(node, region, facet);
       found_.facets.push_back(facet);
       found_.bias.push_back(bias_per_length * mesh_.edge_length * (1 - facing(node, facet)));
       ++found_.group_begin.back();
@@ -193,7 +217,7 @@ void CandidateSearch::find_groups() {
 bool CandidateSearch::edges_may_meet(int i, int j) const {
   const ContactEdge &a = mesh_.edges[at(i)], &b = mesh_.edges[at(j)];
   const auto touches = [&](const ContactEdge& e) {
-    return mesh_.may_touch[at(e.node[0])] && mesh_.may_touch[at(e.node[1])];
+    return mesh_.may_touch[at(mesh_.node_of(e.node[0]))] && mesh_.may_touch[at(mesh_.node_of(e.node[1]))];
   };
   if (!touches(a) && !touches(b)) return false;
   const auto closest = [&](const std::vector<Vec3<double>>& x) {
@@ -202,7 +226,7 @@ bool CandidateSearch::edges_may_meet(int i, int j) const {
   if (mesh_.solid[at(a.node[0])] == mesh_.solid[at(b.node[0])]) {
     for (const int n : a.node)
       for (const int m : b.node)
-        if (n == m || adjacent(n, m)) return false;
+        if (adjacent(n, m)) return false;
     const auto rest = closest(mesh_.X);
     const auto& X = mesh_.X;
     const auto from = X[at(a.node[0])] + rest.s * (X[at(a.node[1])] - X[at(a.node[0])]);
@@ -223,9 +247,13 @@ void CandidateSearch::find_edge_pairs() {
   sort_unique(edges);
   std::erase_if(edges, [&](const auto& e) { return !edges_may_meet(e[0], e[1]); });
   found_.edge_friction.clear();
-  for (const auto& [i, j] : edges)
-    found_.edge_friction.push_back(rules_.friction(mesh_.region[at(mesh_.edges[at(i)].triangle[0])],
-                                                   mesh_.region[at(mesh_.edges[at(j)].triangle[0])]));
+  found_.edge_entry.clear();
+  for (const auto& [i, j] : edges) {
+    const ContactEdge &a = mesh_.edges[at(i)], &b = mesh_.edges[at(j)];
+    found_.edge_friction.push_back(
+        rules_.friction(mesh_.region[at(a.triangle[0])], mesh_.region[at(b.triangle[0])]));
+    found_.edge_entry.push_back(entry_depth(half_thickness(a.node), half_thickness(b.node)));
+  }
 }
 
 /// Calls use(node, slot) once for each node that a slot may push, slots rising.
@@ -238,14 +266,14 @@ void CandidateSearch::for_each_push(Use&& use) {
     use(node, slot);
   };
   for (int g = 0; g < found_.group_count(); ++g) {
-    once(found_.group_node[at(g)], g);
+    once(mesh_.node_of(found_.group_node[at(g)]), g);
     for (int i = found_.group_begin[at(g)]; i < found_.group_begin[at(g + 1)]; ++i)
       for (const int n : mesh_.facet_nodes(found_.facets[at(i)]))
         if (n >= 0) once(n, g);
   }
   for (int k = 0; k < static_cast<int>(found_.edge_pairs.size()); ++k)
     for (const int e : found_.edge_pairs[at(k)])
-      for (const int n : mesh_.edges[at(e)].node) once(n, found_.group_count() + k);
+      for (const int n : mesh_.edges[at(e)].node) once(mesh_.node_of(n), found_.group_count() + k);
 }
 
 void CandidateSearch::find_incidence() {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glisson/contact/bvh/pairs.hpp>
@@ -12,14 +13,18 @@
 namespace glisson::contact {
 
 /// A slot holds at most one contact: slot g < group_count() that of group g, the others that of an edge pair.
-/// Everything is sorted, so that the same positions give the same lists.
+/// Everything is sorted, so that the same positions give the same lists. `nodes` are nodes, the others
+/// corners and edges of the mesh.
 struct Candidates {
-  std::vector<int> group_node;      ///< a node and the facets of one region [-]  [group_count]
+  std::vector<int> group_node;      ///< a corner and the facets of one region [-]  [group_count]
   std::vector<int> group_region;    ///< of the facets                           [group_count]
   std::vector<int> group_begin{0};  ///< into facets                            [group_count + 1]
   std::vector<int> facets;
   std::vector<double> bias;  ///< added to the distance of a facet that the node does not face [m]  [facets]
   std::vector<double> group_friction;          ///< [-]  [group_count]
+  /// Depth up to which something on the way into a sheet, or a sheet on the way into something, counts as in
+  /// front of it [m]; infinite between solids  [group_count], [edge_pairs]
+  std::vector<double> group_entry, edge_entry;
   std::vector<std::array<int, 2>> edge_pairs;  ///< edges of the mesh
   std::vector<double> edge_friction;           ///< [-]  [edge_pairs]
   std::vector<int> nodes;                      ///< that slots may push, rising
@@ -43,12 +48,14 @@ class CandidateSearch {
   /// The same with a hierarchy of the mesh that is built already.
   CandidateSearch(const ContactMesh& mesh, const ContactRules& rules, double reach, Hierarchy hierarchy);
 
-  /// Candidates while every node stays within `margin` - reach / 2 of x [m]  [point_count]
+  /// Candidates while every point stays within `margin` - reach / 2 of x [m]  [point_count]
   const Candidates& find(const std::vector<Vec3<double>>& x, double margin);
   const SearchCounts& counts() const { return counts_; }
   const Hierarchy& hierarchy() const { return hierarchy_; }
 
  private:
+  double half_thickness(std::span<const int> corners) const;
+  void start_group(int node, int region, int facet);
   bool node_may_meet(int node, int facet) const;
   double facing(int node, int facet) const;
   bool edges_may_meet(int a, int b) const;
@@ -69,6 +76,7 @@ class CandidateSearch {
   Hierarchy hierarchy_;
   std::vector<Vec3<double>> x_, normal_;  ///< of this search: positions, unit normals of the triangles
   std::vector<bool> ridge_;               ///< the edge sticks out  [edge_count]
+  std::vector<bool> on_sheet_;            ///< a side of a sheet is around it  [corner_count]
   Pairs pairs_;
   std::vector<int> partner_begin_, partners_;  ///< triangles near each triangle, and where its list begins
   std::vector<int> seen_;                      ///< by whom a triangle or node was seen last

@@ -30,6 +30,7 @@ ContactDistances contact_distances(const DeformableContact& contact, const Conta
   d.slack = 0.01 * mesh.edge_length;
   d.reach = std::max(0.2 * mesh.edge_length, 2 * (d.offset + d.close));
   d.room = 0.15 * mesh.edge_length;
+  d.swing = 1 + 2 * mesh.largest_offset() / mesh.edge_length;
   return d;
 }
 

@@ -8,6 +8,7 @@
 
 namespace glisson::contact {
 
+/// Bodies that are tied to each other do not touch, unless a pair says so.
 class ContactRules {
  public:
   /// Throws Error(input) for a pair that names a body which does not exist.

@@ -79,7 +79,7 @@ struct FindFacetTouch {
   static constexpr int cost = 200;
   SurfaceView<R> surface;
   const int *group_node, *group_begin, *facets;
-  const R *bias, *friction;
+  const R *bias, *friction, *entry;
   Touch<R>* touches;
   TouchLimits<R> limits;
   R swept;  ///< what went through a facet in this step is at most so far from it now; 0 where no node moves
@@ -106,26 +106,28 @@ struct FindFacetTouch {
       if (swept > R(0) && near_box(p, f, swept)) find_passage(surface, node, f, limits.slack, passage);
     }
     t.friction = friction[g];
-    if (passage.facet >= 0)
-      t.used = touch_passed(t, node, passage);
+    const bool passed = passage.facet >= 0 && t.came != came_from_behind;
+    if (passed)
+      t.used = touch_passed(t, g, passage);
     else if (facet >= 0)
       t.used = touch_nearest(t, g, facet, best);
+    else
+      t.came = came_from_nowhere;
     if (!t.used) t.pressing = R(0);
   }
 
  private:
   GLISSON_HD void set_nodes(Touch<R>& t, int node, int facet, const R (&b)[3]) const {
     const Corners& c = surface.triangles[facet];
-    const bool whole = c.n[2] < surface.node_count;  // otherwise a quarter of a quad about its centre
-    t.node[0] = node;
-    t.weight[0] = R(1);
-    for (int k = 0; k < 4; ++k) {
-      t.node[k + 1] = whole ? (k < 3 ? c.n[k] : -1) : surface.quads[c.n[2] - surface.node_count].n[k];
-      t.weight[k + 1] = !whole ? R(-0.25) * b[2] : k < 3 ? -b[k] : R(0);
+    const bool whole = c.n[2] < surface.corner_count;  // otherwise a quarter of a quad about its centre
+    int count = 0;
+    add_node(t, count, surface.node_of(node), R(1));
+    if (!whole) {
+      const Quad& quad = surface.quads[c.n[2] - surface.corner_count];
+      for (int k = 0; k < 4; ++k) add_node(t, count, surface.node_of(quad.n[k]), R(-0.25) * b[2]);
     }
-    for (int k = 1; !whole && k <= 4; ++k)
-      for (int i = 0; i < 2; ++i)
-        if (t.node[k] == c.n[i]) t.weight[k] -= b[i];
+    for (int k = 0; k < (whole ? 3 : 2); ++k) add_node(t, count, surface.node_of(c.n[k]), -b[k]);
+    end_nodes(t, count);
   }
   GLISSON_HD Vec3<R> corner(int facet, int k) const {
     return surface.position(surface.triangles[facet].n[k]);
@@ -179,18 +181,23 @@ struct FindFacetTouch {
     // beside the border of the facets that it faces a node is still held up to here, so that flush sides
     // that slip a little stay on each other
     const bool beside = !inside && (out < R(0) ? -out : out) < R(0.5) * distance;
-    if (beside && distance > R(5) * limits.slack) return false;
+    if (beside && distance > R(5) * limits.slack) {
+      t.came = came_from_nowhere;
+      return false;
+    }
     const bool near = beside || distance < R(0.1) * limits.slack;
     set_nodes(t, node, facet, foot.b);
     t.normal = near || out > R(0) ? mean_normal(g, best) : (R(-1) / distance) * way;
     t.gap = -dot(t.normal, way) - limits.offset;
-    return complete_touch(t, surface.motion, surface.guess, limits);
+    return complete_touch(t, surface.motion, surface.guess, limits, entry[g]);
   }
-  GLISSON_HD bool touch_passed(Touch<R>& t, int node, const Passage<R>& passage) const {
+  GLISSON_HD bool touch_passed(Touch<R>& t, int g, const Passage<R>& passage) const {
+    const int node = group_node[g];
+    t.came = came_from_front;
     set_nodes(t, node, passage.facet, passage.b);
     t.normal = normal_of(passage.facet);
     t.gap = -dot(t.normal, to_point(node, passage.facet, passage.b)) - limits.offset;
-    return complete_touch(t, surface.motion, surface.guess, limits);
+    return complete_touch(t, surface.motion, surface.guess, limits, entry[g]);
   }
 };
 
@@ -206,18 +213,20 @@ struct FindEdgeTouch {
   SurfaceView<R> surface;
   const EdgeCorners* edges;
   const int* pairs;  ///< [2 pair_count]
-  const R* friction;
+  const R *friction, *entry;
   Touch<R>* touches;
   TouchLimits<R> limits;
 
   GLISSON_HD void operator()(int i) const {
     Touch<R>& t = touches[i];
-    t.used = touch(t, i);
+    const int came = t.came;
+    t.came = came_from_nowhere;
+    t.used = touch(t, i, came);
     if (!t.used) t.pressing = R(0);
   }
 
  private:
-  GLISSON_HD bool touch(Touch<R>& t, int i) const {
+  GLISSON_HD bool touch(Touch<R>& t, int i, int came) const {
     const EdgeCorners &a = edges[pairs[2 * i]], &b = edges[pairs[2 * i + 1]];
     const Vec3<R> a0 = surface.position(a.node[0]), b0 = surface.position(b.node[0]);
     const Vec3<R> along_a = surface.position(a.node[1]) - a0, along_b = surface.position(b.node[1]) - b0;
@@ -234,20 +243,17 @@ struct FindEdgeTouch {
     if (facing < R(0)) n = R(-1) * n;
     // along n no triangle of b may stand in front of its edge, none of a behind its own
     if (rises(b, n, b0) || rises(a, R(-1) * n, a0)) return false;
-    for (int k = 0; k < 2; ++k) {
-      t.node[k] = a.node[k];
-      t.node[k + 2] = b.node[k];
-    }
-    t.node[4] = -1;
-    t.weight[4] = R(0);
-    t.weight[0] = R(1) - s;
-    t.weight[1] = s;
-    t.weight[2] = q - R(1);
-    t.weight[3] = -q;
+    int count = 0;
+    add_node(t, count, surface.node_of(a.node[0]), R(1) - s);
+    add_node(t, count, surface.node_of(a.node[1]), s);
+    add_node(t, count, surface.node_of(b.node[0]), q - R(1));
+    add_node(t, count, surface.node_of(b.node[1]), -q);
+    end_nodes(t, count);
+    t.came = came;
     t.normal = n;
     t.friction = friction[i];
     t.gap = dot(n, apart) - limits.offset;
-    return complete_touch(t, surface.motion, surface.guess, limits);
+    return complete_touch(t, surface.motion, surface.guess, limits, entry[i]);
   }
   GLISSON_HD static bool inside(R s) { return s > R(1e-3) && s < R(1) - R(1e-3); }
   /// Sum of the normals of both triangles of an edge, of any length.

@@ -25,9 +25,11 @@ constexpr double largest_start_depth = 0.8;
   throw Error(ErrorKind::input, message, {"", 0, contact_place});
 }
 
-std::string node_text(const ContactMesh& mesh, const ContactRules& rules, int node) {
-  return "node " + std::to_string(mesh.nodes[at(node)]) + " of " +
-         rules.body_name(mesh.node_region[at(node)]);
+std::string number_of(const ContactMesh& mesh, int corner) {
+  return std::to_string(mesh.nodes[at(mesh.node_of(corner))]);
+}
+std::string node_text(const ContactMesh& mesh, const ContactRules& rules, int corner) {
+  return "node " + number_of(mesh, corner) + " of " + rules.body_name(mesh.point_region[at(corner)]);
 }
 
 /// Solid angle of a triangle seen from the origin (van Oosterom & Strackee 1983) [sr].
@@ -44,7 +46,8 @@ struct Solid {
 
 std::map<int, Solid> solids_of(const ContactMesh& mesh) {
   std::map<int, Solid> solids;
-  for (int k = 0; k < mesh.node_count(); ++k) {
+  for (int k = 0; k < mesh.corner_count(); ++k) {
+    if (mesh.point_region[at(k)] < 0) continue;  // only its side points are on the surface
     Solid& its = solids[mesh.solid[at(k)]];
     its.nodes.push_back(k);
     its.box = united(its.box, mesh.X[at(k)]);
@@ -91,12 +94,12 @@ void refuse_nested(const ContactMesh& mesh, const ContactRules& rules, double on
       std::vector<int> nodes;
       for (const int n : a.nodes)
         if (contains(b.box, mesh.X[at(n)]) &&
-            rules.may_touch(mesh.node_region[at(n)], mesh.region[at(b.triangles[0])]))
+            rules.may_touch(mesh.point_region[at(n)], mesh.region[at(b.triangles[0])]))
           nodes.push_back(n);
       const std::size_t tries = std::max(least_tries, most_triangles / b.triangles.size());
       for (std::size_t k = 0; k < nodes.size(); k += nodes.size() / tries + 1)
         if (lies_in(mesh, nodes[k], normals[at(nodes[k])], a, b, on, most))
-          refuse("the solid with " + node_text(mesh, rules, nodes[k]) + " starts inside of the one with " +
+          refuse("the body with " + node_text(mesh, rules, nodes[k]) + " starts inside of the one with " +
                  node_text(mesh, rules, b.nodes[0]) + ". Move one of them, or forbid the pair");
     }
 }
@@ -108,26 +111,29 @@ class RestSurface {
     for (const auto& X : mesh.X) to_.push_back({X.x, X.y, X.z, 0});
     for (const auto& c : mesh.triangles) triangles_.push_back({{c[0], c[1], c[2]}});
     for (const auto& q : mesh.quads) quads_.push_back({{q[0], q[1], q[2], q[3]}});
+    for (const SidePoint& p : mesh.beside) side_node_.push_back(p.node);
     node_count_ = mesh.node_count();
+    corner_count_ = mesh.corner_count();
   }
   SurfaceView<double> view() {
-    return {nullptr,     nullptr,    nullptr,        triangles_.data(), quads_.data(),
-            node_count_, to_.data(), motion_.data(), motion_.data()};
+    return {nullptr,     nullptr,       nullptr,    triangles_.data(), quads_.data(), side_node_.data(),
+            node_count_, corner_count_, to_.data(), motion_.data(),    motion_.data()};
   }
 
  private:
   std::vector<Vec4<double>> to_, motion_;
   std::vector<Corners> triangles_;
   std::vector<Quad> quads_;
-  int node_count_ = 0;
+  std::vector<int> side_node_;
+  int node_count_ = 0, corner_count_ = 0;
 };
 
-/// End of a segment that lies behind the triangle which the segment goes through, -1 if it does not or if an
-/// end is nearer to its plane than `slack`.
-int end_behind(const ContactMesh& mesh, const std::array<int, 2>& segment, const Triangle& c,
+/// End (0, 1) of a segment that lies behind the triangle which the segment goes through, -1 if it does not or
+/// if an end is nearer to its plane than `slack`. Through a border counts: two triangles leave no gap.
+int end_behind(const std::array<Vec3<double>, 2>& segment, const std::array<Vec3<double>, 3>& triangle,
                double slack = 0) {
-  const auto &p = mesh.X[at(segment[0])], &q = mesh.X[at(segment[1])];
-  const auto &a = mesh.X[at(c[0])], &b = mesh.X[at(c[1])], &d = mesh.X[at(c[2])];
+  const auto& [p, q] = segment;
+  const auto& [a, b, d] = triangle;
   const auto volume = [](const Vec3<double>& x, const Vec3<double>& y, const Vec3<double>& z) {
     return dot(x, cross(y, z));
   };
@@ -137,8 +143,24 @@ int end_behind(const ContactMesh& mesh, const std::array<int, 2>& segment, const
   if (std::min(std::abs(front), std::abs(back)) < slack * std::sqrt(dot(normal, normal))) return -1;
   const double s = volume(q - p, a - p, b - p), t = volume(q - p, b - p, d - p),
                w = volume(q - p, d - p, a - p);
-  const bool through = (s > 0 && t > 0 && w > 0) || (s < 0 && t < 0 && w < 0);
-  return !through ? -1 : front < 0 ? segment[0] : segment[1];
+  const bool through = (s >= 0 && t >= 0 && w >= 0) || (s <= 0 && t <= 0 && w <= 0);
+  return !through ? -1 : front < 0 ? 0 : 1;
+}
+int end_behind(const ContactMesh& mesh, const std::array<int, 2>& segment, const Triangle& c,
+               double slack = 0) {
+  const auto x = [&](int n) { return mesh.X[at(n)]; };
+  return end_behind({x(segment[0]), x(segment[1])}, {x(c[0]), x(c[1]), x(c[2])}, slack);
+}
+
+/// What goes through the middle of a sheet at rest would have to stay there.
+void refuse_through_sheet(const ContactMesh& mesh, const ContactRules& rules,
+                          const std::array<int, 2>& segment, int triangle) {
+  const Triangle& c = mesh.triangles[at(triangle)];
+  const auto middle = [&](int n) { return mesh.X[at(mesh.is_corner(n) ? mesh.node_of(n) : n)]; };
+  if (end_behind({middle(segment[0]), middle(segment[1])}, {middle(c[0]), middle(c[1]), middle(c[2])}) >= 0)
+    refuse("what hangs together with " + node_text(mesh, rules, segment[mesh.is_corner(segment[0]) ? 0 : 1]) +
+           " goes through the membrane or shell with the nodes " + number_of(mesh, c[0]) + " " +
+           number_of(mesh, c[1]) + " " + number_of(mesh, c[2]) + ". Move one of them, or forbid the pair");
 }
 
 /// A solid whose surface goes through itself: an edge through a facet that it shares no node with. What
@@ -146,6 +168,9 @@ int end_behind(const ContactMesh& mesh, const std::array<int, 2>& segment, const
 void refuse_self_crossing(const ContactMesh& mesh, const ContactRules& rules, const Hierarchy& hierarchy,
                           double slack) {
   if (!rules.any_self_contact()) return;
+  const auto same = [&](int n, int m) {
+    return n == m || (mesh.is_corner(n) && mesh.is_corner(m) && mesh.node_of(n) == mesh.node_of(m));
+  };
   for (const auto& [a, b] : overlapping_pairs(hierarchy, 0.9 * full_turn / 2).pairs)
     for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
       const Triangle &c = mesh.triangles[at(from)], &facet = mesh.triangles[at(to)];
@@ -154,19 +179,19 @@ void refuse_self_crossing(const ContactMesh& mesh, const ContactRules& rules, co
         continue;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::array edge{c[k], c[(k + 1) % 3]};
-        const bool apart =
-            std::none_of(facet.begin(), facet.end(), [&](int n) { return n == edge[0] || n == edge[1]; });
-        if (!apart || !mesh.is_node(edge[0]) || !mesh.is_node(edge[1])) continue;
+        const bool apart = std::none_of(facet.begin(), facet.end(),
+                                        [&](int n) { return same(n, edge[0]) || same(n, edge[1]); });
+        if (!apart || !mesh.is_corner(edge[0]) || !mesh.is_corner(edge[1])) continue;
         if (end_behind(mesh, edge, facet, slack) >= 0)
           refuse("the surface goes through itself: the edge from " + node_text(mesh, rules, edge[0]) +
-                 " to node " + std::to_string(mesh.nodes[at(edge[1])]) + " crosses the facet with node " +
-                 std::to_string(mesh.nodes[at(facet[0])]) +
+                 " to node " + number_of(mesh, edge[1]) + " crosses the facet with node " +
+                 number_of(mesh, facet[0]) +
                  " of the same solid. Correct the mesh, or switch self-contact off");
       }
     }
 }
 
-/// Surface nodes of other solids behind facets that an edge at them goes through, with the solid and
+/// Corners of other solids behind facets that an edge at them goes through, with the solid and
 /// the region of the facet.
 std::vector<std::array<int, 3>> nodes_behind(const ContactMesh& mesh, const ContactRules& rules,
                                              const Hierarchy& hierarchy) {
@@ -177,9 +202,13 @@ std::vector<std::array<int, 3>> nodes_behind(const ContactMesh& mesh, const Cont
       const Triangle &c = mesh.triangles[at(from)], &facet = mesh.triangles[at(to)];
       const int solid = mesh.solid[at(facet[0])];
       if (mesh.solid[at(c[0])] == solid) continue;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (const int n = end_behind(mesh, {c[k], c[(k + 1) % 3]}, facet); n >= 0 && mesh.is_node(n))
-          found.push_back({n, solid, mesh.region[at(to)]});
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::array segment{c[k], c[(k + 1) % 3]};
+        if (mesh.sheet[at(to)] >= 0) refuse_through_sheet(mesh, rules, segment, to);
+        const int end = end_behind(mesh, segment, facet);
+        if (end >= 0 && mesh.is_corner(segment[at(end)]))
+          found.push_back({segment[at(end)], solid, mesh.region[at(to)]});
+      }
     }
   }
   std::sort(found.begin(), found.end());
@@ -189,7 +218,7 @@ std::vector<std::array<int, 3>> nodes_behind(const ContactMesh& mesh, const Cont
 
 [[noreturn]] void refuse_depth(const ContactMesh& mesh, const ContactRules& rules, int node, int region,
                                const std::string& depth, double most) {
-  refuse(node_text(mesh, rules, node) + " starts " + depth + " inside of another solid, " +
+  refuse(node_text(mesh, rules, node) + " starts " + depth + " inside of another body, " +
          rules.body_name(region) + "; up to " + number_text(most) +
          " can be resolved. Move the bodies apart, or forbid the pair");
 }
@@ -233,9 +262,10 @@ double start_depth(const ContactMesh& mesh, const ContactRules& rules, const Con
                                     found.facets.data(),
                                     found.bias.data(),
                                     found.group_friction.data(),
+                                    found.group_entry.data(),
                                     touches.data(),
                                     {reach, 0, 0, distances.slack},
-                                    false};
+                                    0};
   double deepest = 0;
   int worst = -1, region = -1;
   for (int g = 0; g < found.group_count(); ++g) {

@@ -7,14 +7,10 @@
 
 #include <glisson/contact/deformable/contact_mesh.hpp>
 #include <glisson/contact/deformable/surface_view.hpp>
-#include <glisson/core/constraints/constraint_list.hpp>
+#include <glisson/contact/free_axes.hpp>
 #include <glisson/core/loads/node_list.hpp>
 
 namespace glisson::contact {
-
-/// Axes along which each surface node can move: not fixed, not prescribed, no plane across them. Planes that
-/// are not across an axis are left out: contact then gives way a little along their normal.
-std::vector<int> free_axes_of(const ContactMesh& mesh, const Model& model, const Numbering& numbering);
 
 template <Backend B, class R>
 class SurfaceState {
@@ -26,9 +22,13 @@ class SurfaceState {
         count_(mesh.node_count()),
         nodes_(detail::upload(backend, internal_nodes(mesh, numbering))),
         X_(detail::upload(backend, rest(mesh))),
-        free_axes_(detail::upload(backend, free_axes_of(mesh, model, numbering))),
+        free_axes_(detail::upload(backend, free_axes_of(mesh.nodes, model, numbering))),
         triangles_(detail::upload(backend, corners(mesh.triangles))),
         quads_(detail::upload(backend, corners(mesh.quads))),
+        side_nodes_(detail::upload(backend, side_nodes(mesh))),
+        side_distances_(detail::upload(backend, side_distances(mesh))),
+        side_around_begin_(detail::upload(backend, side_around_begin(mesh))),
+        side_around_(detail::upload(backend, side_around(mesh))),
         to_(detail::zeros<Vec4<R>>(backend, mesh.X.size())),
         motion_(detail::zeros<Vec4<R>>(backend, mesh.X.size())),
         guess_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
@@ -41,8 +41,9 @@ class SurfaceState {
   const int* nodes() const { return nodes_.get(); }
   const Buffer<Vec4<R>>& reference() const { return reference_; }
   SurfaceView<R> view() const {
-    return {nodes_.get(), X_.get(),  free_axes_.get(), triangles_.get(), quads_.get(),
-            count_,       to_.get(), motion_.get(),    guess_.get()};
+    return {nodes_.get(), X_.get(),          free_axes_.get(), triangles_.get(),
+            quads_.get(), side_nodes_.get(), count_,           mesh_.corner_count(),
+            to_.get(),    motion_.get(),     guess_.get()};
   }
 
   /// Takes the positions of a step that starts with last step's contact forces; returns the largest squares
@@ -51,6 +52,9 @@ class SurfaceState {
     backend_.for_each(chunk_count(),
                       PlaceSurface<R>{view(), step.u, step.u_predicted, step.v, force, reference_.get(),
                                       extents_.get(), step.advance_per_force});
+    backend_.for_each(
+        static_cast<int>(mesh_.beside.size()),
+        PlaceSidePoints<R>{view(), side_distances_.get(), side_around_begin_.get(), side_around_.get()});
     backend_.for_each(static_cast<int>(mesh_.quads.size()), PlaceCentres<R>{view()});
     backend_.copy_out(extents_.get(), host_extents_.data(), host_extents_.size());
     Extent<R> all;
@@ -74,7 +78,7 @@ class SurfaceState {
   void reference_to(std::vector<Vec3<double>>& x) const {
     x.clear();
     for (const Vec4<R>& p : host_) x.push_back({double(p.x), double(p.y), double(p.z)});
-    mesh_.append_centres(x);
+    mesh_.append_points(x);
   }
 
  private:
@@ -89,6 +93,28 @@ class SurfaceState {
     std::vector<Vec4<R>> result;
     for (std::size_t k = 0; k < mesh.nodes.size(); ++k) result.push_back(detail::narrow<R>(mesh.X[k]));
     return result;
+  }
+  static std::vector<int> side_nodes(const ContactMesh& mesh) {
+    std::vector<int> result;
+    for (const SidePoint& p : mesh.beside) result.push_back(p.node);
+    return result;
+  }
+  static std::vector<R> side_distances(const ContactMesh& mesh) {
+    std::vector<R> result;
+    for (const SidePoint& p : mesh.beside) result.push_back(R(p.distance));
+    return result;
+  }
+  static std::vector<int> side_around_begin(const ContactMesh& mesh) {
+    std::vector<int> result;
+    const int first = mesh.around_begin[std::size_t(mesh.node_count())];
+    for (int p = mesh.node_count(); p <= mesh.corner_count(); ++p)
+      result.push_back(mesh.around_begin[std::size_t(p)] - first);
+    return result;
+  }
+  static std::vector<int> side_around(const ContactMesh& mesh) {
+    const auto first = mesh.around.begin();
+    return {first + mesh.around_begin[std::size_t(mesh.node_count())],
+            first + mesh.around_begin[std::size_t(mesh.corner_count())]};
   }
   static std::vector<Corners> corners(const std::vector<std::array<int, 3>>& from) {
     std::vector<Corners> result;
@@ -109,6 +135,9 @@ class SurfaceState {
   Buffer<int> free_axes_;
   Buffer<Corners> triangles_;
   Buffer<Quad> quads_;
+  Buffer<int> side_nodes_;
+  Buffer<R> side_distances_;
+  Buffer<int> side_around_begin_, side_around_;
   Buffer<Vec4<R>> to_, motion_, guess_, reference_;
   Buffer<Extent<R>> extents_;
   std::vector<Extent<R>> host_extents_;

@@ -1,7 +1,7 @@
 // Loop body that follows the surface: where its nodes go in a step.
 #pragma once
 
-#include <glisson/contact/geometry/smooth_normal.hpp>
+#include <glisson/contact/deformable/side_normal.hpp>
 #include <glisson/core/loads/list_forces.hpp>
 
 namespace glisson::contact {
@@ -14,21 +14,25 @@ struct Quad {
   int n[4];
 };
 
-/// The surface on the backend; nodes are numbered within it, and after them the centres of its quads.
+/// The surface on the backend; points are numbered as in ContactMesh.
 template <class R>
 struct SurfaceView {
   const int* nodes;          ///< internal node                              [node_count]
   const Vec4<R>* X;          ///< rest position [m]                          [node_count]
   const int* free_axes;      ///< bit mask of axes that are not constrained  [node_count]
   const Corners* triangles;  ///< points                                     [triangle_count]
-  const Quad* quads;         ///< corners of the points from node_count on   [point_count - node_count]
-  int node_count;
+  const Quad* quads;         ///< corners of the points from corner_count on
+  const int* side_node;      ///< node of the points from node_count to corner_count
+  int node_count, corner_count;
   /// Position at the end of the step if contact pushes as in the last one [m]: near the true one, so that
   /// feet and normals are those of surfaces that touch; w: what a force moves the node by [m/N].
   Vec4<R>* to;      ///<                                              [point_count]
   Vec4<R>* motion;  ///< from the beginning of the step to there [m]  [point_count]
   Vec4<R>* guess;   ///< what of it contact does [m]                  [node_count]
 
+  GLISSON_HD int node_of(int corner) const {
+    return corner < node_count ? corner : side_node[corner - node_count];
+  }
   GLISSON_HD Vec3<R> position(int k) const { return xyz(to[k]); }
   GLISSON_HD Vec3<R> position_before(int k) const { return xyz(to[k]) - xyz(motion[k]); }
   /// Motion of a node by a contact force.
@@ -83,6 +87,44 @@ struct PlaceSurface {
   }
 };
 
+/// Points beside nodes follow the normal of the facets around them.
+template <class R>
+struct PlaceSidePoints {
+  static constexpr int cost = 60;
+  SurfaceView<R> surface;
+  const R* distance;        ///< [side points]
+  const int* around_begin;  ///< [side points + 1]
+  const int* around;        ///< triangles
+
+  GLISSON_HD void operator()(int i) const {
+    const int k = surface.node_count + i, n = surface.side_node[i];
+    const Vec3<R> out = distance[i] * normal(i, [&](int m) { return surface.position(m); });
+    const Vec3<R> before = distance[i] * normal(i, [&](int m) { return surface.position_before(m); });
+    const Vec3<R> p = surface.position(n) + out, d = xyz(surface.motion[n]) + (out - before);
+    surface.to[k] = {p.x, p.y, p.z, R(0)};
+    surface.motion[k] = {d.x, d.y, d.z, R(0)};
+  }
+
+ private:
+  template <class At>
+  GLISSON_HD Vec3<R> normal(int i, At at) const {
+    const int point = surface.node_count + i, first = around_begin[i];
+    const auto place = [&](int p) {
+      if (p < surface.corner_count) return at(surface.node_of(p));
+      const Quad& q = surface.quads[p - surface.corner_count];
+      return R(0.25) * ((at(surface.node_of(q.n[0])) + at(surface.node_of(q.n[1]))) +
+                        (at(surface.node_of(q.n[2])) + at(surface.node_of(q.n[3]))));
+    };
+    return side_normal<R>(
+        around + first, around_begin[i + 1] - first,
+        [&](int t, int corner) { return place(surface.triangles[t].n[corner]); },
+        [&](int t) {
+          const Corners& c = surface.triangles[t];
+          return c.n[0] == point ? 0 : c.n[1] == point ? 1 : 2;
+        });
+  }
+};
+
 /// The centres of the quads follow their corners.
 template <class R>
 struct PlaceCentres {
@@ -90,7 +132,7 @@ struct PlaceCentres {
   SurfaceView<R> surface;
 
   GLISSON_HD void operator()(int q) const {
-    const int k = surface.node_count + q;
+    const int k = surface.corner_count + q;
     surface.to[k] = mean(surface.to, surface.quads[q]);
     surface.motion[k] = mean(surface.motion, surface.quads[q]);
   }

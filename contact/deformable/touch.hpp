@@ -35,8 +35,40 @@ struct Touch {
   R pressing_ahead;            ///< the same extrapolated along the last change
   Vec3<R> rubbing_ahead;
   Vec3<R> force;  ///< sum of the two ahead, on the side of weight > 0 [N]
-  bool used;      ///< otherwise only `pressing`, which is then 0, means anything
+  int came;       ///< TouchSide, of this and the next step
+  bool used;      ///< otherwise only `came` and `pressing`, which is then 0, mean anything
 };
+
+/// On which side of a thin thing something came near: inside of it, depth does not tell the side.
+enum TouchSide : int { came_from_nowhere, came_from_front, came_from_behind };
+
+/// Weights of one node add up: sides of a sheet share their nodes.
+template <class R>
+GLISSON_HD void add_node(Touch<R>& t, int& count, int node, R weight) {
+  for (int m = 0; m < count; ++m)
+    if (t.node[m] == node) {
+      t.weight[m] += weight;
+      return;
+    }
+  t.node[count] = node;
+  t.weight[count++] = weight;
+}
+template <class R>
+GLISSON_HD void end_nodes(Touch<R>& t, int count) {
+  for (int m = count; m < most_touch_nodes; ++m) {
+    t.node[m] = -1;
+    t.weight[m] = R(0);
+  }
+}
+
+/// Decides by the depth at the beginning of the step, once until what came has left again. The touch is
+/// complete but for its target. Returns false for what came from behind.
+/// entry: of Candidates
+template <class R>
+GLISSON_HD bool enters(Touch<R>& t, R entry) {
+  if (t.came == came_from_nowhere) t.came = t.before > -entry ? came_from_front : came_from_behind;
+  return t.came == came_from_front;
+}
 
 /// Share m of its last multiplier that a contact starts with, and share b of a depth that one step takes
 /// back. A combination of contacts that the iterations resolve only to a share c per step follows, in steps,
@@ -66,10 +98,10 @@ GLISSON_HD bool set_target(Touch<R>& t, R predicted, const TouchLimits<R>& limit
 }
 
 /// Completes a touch whose nodes, weights, normal and gap are set; `pressing` is that of the last step.
-/// motion, guess: of SurfaceView
+/// motion, guess: of SurfaceView; entry: of Candidates
 template <class R>
 GLISSON_HD bool complete_touch(Touch<R>& t, const Vec4<R>* motion, const Vec4<R>* guess,
-                               const TouchLimits<R>& limits) {
+                               const TouchLimits<R>& limits, R entry) {
   Vec3<R> path, pushed;
   for (int m = 0; m < most_touch_nodes && t.node[m] >= 0; ++m) {
     const Vec4<R> d = motion[t.node[m]];
@@ -82,7 +114,7 @@ GLISSON_HD bool complete_touch(Touch<R>& t, const Vec4<R>* motion, const Vec4<R>
   t.slip = path - along * t.normal;
   t.pressing = t.pressing_ahead = R(touch_memory) * t.pressing;
   t.rubbing = t.rubbing_ahead = t.force = Vec3<R>{};
-  return set_target(t, t.gap - dot(pushed, t.normal), limits);
+  return enters(t, entry) && set_target(t, t.gap - dot(pushed, t.normal), limits);
 }
 
 }  // namespace glisson::contact

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include <glisson/contact/shell_thickness.hpp>
 #include <glisson/contact/surface/surface_contact.hpp>
 #include <glisson/contact/surface/surface_overlap.hpp>
 
@@ -14,12 +15,13 @@ namespace glisson::contact {
 template <Backend B, class R>
 void add_rigid_surfaces(B& backend, const Model& model, const Numbering& numbering,
                         std::vector<std::unique_ptr<ForceProvider<R>>>& to) {
+  const std::vector<double> half = half_thickness_at_nodes(model);
   for (const RigidSurface& surface : model.surfaces) {
     const std::vector<int> nodes = candidate_nodes(surface.nodes, model.mesh);
     const SurfaceData data = surface_data(surface.surface, surface.centre);
-    refuse_overlap(surface, data, nodes, model.mesh);
+    refuse_overlap(surface, data, nodes, half, model.mesh);
     to.push_back(
-        std::make_unique<SurfaceContact<B, R>>(backend, surface, data, nodes, model.mesh, numbering));
+        std::make_unique<SurfaceContact<B, R>>(backend, surface, data, nodes, half, model.mesh, numbering));
   }
 }
 

@@ -16,7 +16,7 @@ struct SurfaceForce : LastForces<R> {
   Mat3<R> turned;       ///< turn less that at its beginning
   Vec3<R> shift;        ///< at the beginning [m]
   Vec3<R> shifted;      ///< during the step [m]
-  const Vec4<R>* X;     ///< rest position relative to the centre of rotation [m]  [entry_count]
+  const Vec4<R>* X;  ///< rest position relative to the centre of rotation, w: half thickness of a shell [m]
   const Vec4<R>* from;  ///< displacement at the beginning [m]                     [node_count]
   const Vec4<R>* to;    ///< and, as predicted, at the end [m]                     [node_count]
   const Vec4<R>* v;     ///< w: 1/mass [1/kg]                                      [node_count]
@@ -30,7 +30,7 @@ struct SurfaceForce : LastForces<R> {
   }
   GLISSON_HD Penetration<R> penetration(int i, int n, const Vec3<R>& slipped) const {
     const Vec3<R> q = transposed_times(turn, xyz(X[i]) + xyz(to[n]) - shift - shifted);
-    return shape(q - slipped, q);
+    return shape(q - slipped, q, X[i].w);
   }
   GLISSON_HD Penetration<R> penetration(int i, int n) const { return penetration(i, n, slip(i, n)); }
   GLISSON_HD Vec3<R> force(int i, int n) const {
@@ -58,10 +58,13 @@ Mat3<R> narrowed(const Mat3<double>& a) {
 template <Backend B, class R>
 class SurfaceContact final : public ListContact<B, R> {
  public:
+  /// half_thickness: of shells at the nodes of the mesh
   SurfaceContact(B& backend, const RigidSurface& surface, const SurfaceData& data,
-                 const std::vector<int>& nodes, const Mesh& mesh, const Numbering& numbering)
-      : ListContact<B, R>(backend, surface.name,
-                          ListContact<B, R>::entries_of(nodes, surface.centre, mesh, numbering)),
+                 const std::vector<int>& nodes, const std::vector<double>& half_thickness, const Mesh& mesh,
+                 const Numbering& numbering)
+      : ListContact<B, R>(
+            backend, surface.name,
+            ListContact<B, R>::entries_of(nodes, surface.centre, mesh, numbering, half_thickness)),
         surface_(surface),
         reach_(R(data.reach)),
         node_count_(static_cast<int>(data.nodes.size())),

@@ -64,11 +64,12 @@ struct DeepNode {
 /// What lies behind a surface at the start.
 struct StartSides {
   DeepNode refused, any;
+  DeepNode near;  ///< in front, but nearer than half a thickness; by how much
   bool some_in_front = false;
 };
 
 StartSides start_sides(const RigidSurface& surface, const SurfaceData& data, const std::vector<int>& nodes,
-                       const Mesh& mesh) {
+                       const std::vector<double>& half_thickness, const Mesh& mesh) {
   const SurfacePose pose = pose_at(surface, 0);
   const SurfaceShape<double> shape = data.shape();
   ClosestFacet closest(data);
@@ -79,6 +80,8 @@ StartSides start_sides(const RigidSurface& surface, const SurfaceData& data, con
     const auto& triangle = data.facets[at(facet)].smooth;
     const double depth = shape.behind_facet(data.facets[at(facet)], q).depth;
     sides.any.add(n, depth);
+    if (const double half = half_thickness[at(n)]; half > 0 && !(depth > 0))
+      sides.near.add(n, shape.behind_facet(data.facets[at(facet)], q, half).depth);
     if (data.closed[at(facet)] || depth < 4 * data.reach) sides.refused.add(n, depth);
     if (!(depth > 0) && dot(q - triangle.x[0], triangle.facet_normal()) >= 0) sides.some_in_front = true;
   }
@@ -88,9 +91,9 @@ StartSides start_sides(const RigidSurface& surface, const SurfaceData& data, con
 }  // namespace
 
 void refuse_overlap(const RigidSurface& surface, const SurfaceData& data, const std::vector<int>& nodes,
-                    const Mesh& mesh) {
+                    const std::vector<double>& half_thickness, const Mesh& mesh) {
   if (data.facets.empty()) return;
-  const StartSides sides = start_sides(surface, data, nodes, mesh);
+  const StartSides sides = start_sides(surface, data, nodes, half_thickness, mesh);
   const double most = 0.01 * data.reach;
   const auto refuse = [&](const DeepNode& its, const std::string& more) {
     throw Error(ErrorKind::input,
@@ -105,6 +108,10 @@ void refuse_overlap(const RigidSurface& surface, const SurfaceData& data, const 
   if (sides.refused.depth > most)
     refuse(sides.refused,
            " behind the surface, so the first step would throw it out. Move the surface or the body apart");
+  if (sides.near.depth > most)
+    refuse(sides.near,
+           " too near to the surface: it is a node of a shell, which stays half of the thickness in front of "
+           "it, so the first step would throw it out. Move the surface or the shell apart");
 }
 
 }  // namespace glisson::contact

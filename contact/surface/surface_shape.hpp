@@ -39,9 +39,10 @@ struct SurfaceShape {
   /// Signed by the normal of the closest feature (Baerentzen & Aanaes 2005); pushed along the smooth normal.
   /// A point whose path crossed the surface goes back to where it crossed, unless the closest facet is of the
   /// same side: so it may cross a whole thin body in one step. The search grows with the path.
-  GLISSON_HD Penetration<R> operator()(const Vec3<R>& from, const Vec3<R>& to) const {
+  /// offset: how far from the surface the point is held, along the smooth normal [m]
+  GLISSON_HD Penetration<R> operator()(const Vec3<R>& from, const Vec3<R>& to, R offset = R(0)) const {
     const Vec3<R> path = to - from;
-    const R radius = reach + square_root(dot(path, path));
+    const R radius = reach + offset + square_root(dot(path, path));
     R nearest = radius * radius;
     int closest = -1;
     Crossing<R> crossing;
@@ -61,14 +62,15 @@ struct SurfaceShape {
       }
       cross_facet(t, from, path, crossing);
     }
-    const Penetration<R> behind = closest >= 0 ? behind_facet(facets[closest], to) : Penetration<R>{};
+    const Penetration<R> behind = closest >= 0 ? behind_facet(facets[closest], to, offset) : Penetration<R>{};
     if (!(crossing.at <= R(1)) || (behind.depth > R(0) && dot(behind.out, crossing.normal) > R(0)))
       return behind;
-    return {dot(crossing.point - to, crossing.normal), crossing.normal};
+    return {dot(crossing.point - to, crossing.normal) + offset, crossing.normal};
   }
 
-  /// How far p is behind the facet that is the closest one to it.
-  GLISSON_HD Penetration<R> behind_facet(const SurfaceFacet<R>& facet, const Vec3<R>& p) const {
+  /// How far p is behind the facet that is the closest one to it, or nearer in front of it than the offset.
+  GLISSON_HD Penetration<R> behind_facet(const SurfaceFacet<R>& facet, const Vec3<R>& p,
+                                         R offset = R(0)) const {
     const SmoothTriangle<R>& t = facet.smooth;
     const TrianglePoint<R> foot = closest_on_triangle(p, t.x[0], t.x[1], t.x[2]);
     Vec3<R> side = t.facet_normal();
@@ -83,11 +85,12 @@ struct SurfaceShape {
         side = t.n[k];
         border = border || facet.border_corner[k];
       }
-    if (!(dot(p - t.point(foot.b), side) < R(0))) return {};
+    const bool behind = dot(p - t.point(foot.b), side) < R(0);
+    if (!behind && !(foot.distance_squared < offset * offset)) return {};
     const SmoothGap<R> gap = smooth_gap(t, p);
     // beside an open surface is not behind it
     if (border && gap.miss > R(1e-3) * reach) return {};
-    return {gap.gap < R(0) ? R(0) - gap.gap : R(0), gap.normal};
+    return {gap.gap < offset ? offset - gap.gap : R(0), gap.normal};
   }
 
  private:

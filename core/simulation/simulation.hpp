@@ -55,6 +55,7 @@ class Simulation final : public AnySimulation {
   // simulation_step.ipp
   void one_step();
   void add_forces(StepView<R>& view);
+  void predict(const StepView<R>& view) const;
   void predict_and_touch(StepView<R>& view) const;
   void advance(bool energies);
   template <class F>

@@ -72,17 +72,25 @@ void Simulation<B, R>::add_forces(StepView<R>& view) {
     if (!user->provider().needs_prediction()) user->add_forces(view);
 }
 
-/// Contact sees where the nodes would be without it, constrained nodes where they will be.
 template <Backend B, class R>
-void Simulation<B, R>::predict_and_touch(StepView<R>& view) const {
-  if (!u_predicted_) return;
+void Simulation<B, R>::predict(const StepView<R>& view) const {
   with_stepper([&]<class S>(const S& stepper) {
     backend_.for_each(nodes_.count(), PredictNodes<R, S>{view.u, view.v, view.f, u_predicted_.get(), stepper,
                                                          nodes_.count()});
   });
   parts_.constraints->place(u_predicted_.get(), view.t_next, plan_.dt());
+}
+
+/// Contact sees where the nodes would be without it, constrained nodes where they will be.
+template <Backend B, class R>
+void Simulation<B, R>::predict_and_touch(StepView<R>& view) const {
+  if (!u_predicted_) return;
+  predict(view);
   view.u_predicted = u_predicted_.get();
-  for (auto& body : parts_.bodies) body->add_forces(view);
+  for (auto& body : parts_.bodies) {
+    body->add_forces(view);
+    if (body->moves_prediction()) predict(view);
+  }
 }
 
 template <Backend B, class R>

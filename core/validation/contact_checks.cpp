@@ -13,15 +13,25 @@ void check_friction(double friction, const std::string& where) {
     refuse(where, "its friction coefficient is " + number_text(friction) + ", but must not be negative");
 }
 
-void check_pair(const Model& model, const ContactPair& pair) {
-  if (pair.friction) check_friction(*pair.friction, pair.where);
-  for (const std::string& name : {pair.a, pair.b}) {
+void check_names(const Model& model, const std::string& where, const std::string& a, const std::string& b) {
+  for (const std::string& name : {a, b}) {
     bool found = false;
     for (const NamedElements& body : model.bodies_by_name) found = found || body.name == name;
     if (!found)
-      refuse(pair.where, "there is no sub-model with the name '" + name +
-                             "'; names are given by the attribute Name of SubModel");
+      refuse(where, "there is no sub-model with the name '" + name +
+                        "'; names are given by the attribute Name of SubModel");
   }
+}
+
+void check_pair(const Model& model, const ContactPair& pair) {
+  if (pair.friction) check_friction(*pair.friction, pair.where);
+  check_names(model, pair.where, pair.a, pair.b);
+}
+
+void check_tie(const Model& model, const TiedSurfaces& tie) {
+  check_names(model, tie.where, tie.a, tie.b);
+  if (tie.distance && (!(*tie.distance > 0) || !std::isfinite(*tie.distance)))
+    refuse(tie.where, "its distance is " + number_text(*tie.distance) + ", but must be greater than 0");
 }
 
 /// Whether all solids hang together through elements.
@@ -65,13 +75,14 @@ void check_deformable_contact(const Model& model, Warnings& warnings) {
       if (std::minmax(pair.a, pair.b) == std::minmax(contact.pairs[j].a, contact.pairs[j].b))
         refuse(pair.where, "'" + pair.a + "' and '" + pair.b + "' are a pair already; keep one of them");
   }
+  for (const TiedSurfaces& tie : model.ties) check_tie(model, tie);
   if (!contact.wanted()) {
     if (!contact.pairs.empty())
       warnings.push_back("contact pairs have no effect: contact of deformable bodies is switched off");
     return;
   }
-  if (model.mesh.element_count() == 0)
-    refuse(where, "there are no solid elements that could touch each other");
+  if (model.mesh.element_count() == 0 && model.mesh.triangles.empty())
+    refuse(where, "there are no elements that could touch each other");
   if (!contact.self && contact.pairs.empty() && model.mesh.triangles.empty() && one_solid(model.mesh))
     warnings.push_back(where +
                        " has no effect: all elements hang together. For contact of a body with itself "

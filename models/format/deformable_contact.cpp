@@ -1,4 +1,4 @@
-// Contact of deformable bodies: what SystemParams says about it, ContactNodes and ContactPair.
+// Contact of deformable bodies: what SystemParams says about it, ContactNodes, ContactPair, TiedSurfaces.
 #include <glisson/models/format/reader.hpp>
 #include <glisson/models/format/suggest.hpp>
 
@@ -59,13 +59,27 @@ ContactPair read_pair(const XmlElement& element) {
   return pair;
 }
 
-void require_known(const XmlElement& element, const ContactPair& pair,
-                   const std::vector<NamedElements>& bodies) {
+void require_known(const XmlElement& element, const std::vector<NamedElements>& bodies) {
   std::vector<std::string> names;
   for (const NamedElements& body : bodies) names.push_back(body.name);
-  for (const std::string& name : {pair.a, pair.b})
+  for (const char* attribute : {"A", "B"}) {
+    const std::string name = element.required_attribute(attribute);
     if (std::find(names.begin(), names.end(), name) == names.end())
       element.fail("no SubModel has Name=\"" + name + "\"" + suggestion(name, names));
+  }
+}
+
+TiedSurfaces read_tie(const XmlElement& element) {
+  TiedSurfaces tie;
+  tie.where = "TiedSurfaces at line " + std::to_string(element.line);
+  tie.a = element.required_attribute("A");
+  tie.b = element.required_attribute("B");
+  if (tie.a == tie.b) element.fail("A and B are both \"" + tie.a + "\"; give two different sub-models");
+  if (const auto distance = element.number_attribute("Distance")) {
+    if (!(*distance > 0)) element.fail("its Distance must be greater than 0");
+    tie.distance = distance;
+  }
+  return tie;
 }
 
 void require_first(const XmlElement& element, const std::vector<ContactPair>& pairs) {
@@ -96,10 +110,14 @@ void read_deformable_contact(const Reader& reader, const XmlElement& model, Part
   }
   for (const auto element : model.all("ContactPair")) {
     contact.pairs.push_back(read_pair(*element));
-    require_known(*element, contact.pairs.back(), part.model.bodies_by_name);
+    require_known(*element, part.model.bodies_by_name);
     require_first(*element, contact.pairs);
     if (const auto friction = element->child("FrictionCoefficient"); friction && !contact.pairs.back().touch)
       reader.warn(*friction, "it has no effect: the two may not touch");
+  }
+  for (const auto element : model.all("TiedSurfaces")) {
+    part.model.ties.push_back(read_tie(*element));
+    require_known(*element, part.model.bodies_by_name);
   }
 }
 
@@ -107,7 +125,8 @@ void name_body(const XmlElement& sub_model, Part& part) {
   const auto name = sub_model.attribute("Name");
   if (name == nullptr) return;
   if (name->value.empty()) sub_model.fail(name->line, "the Name is empty; leave it out or give one");
-  part.model.bodies_by_name.push_back({name->value, 0, part.model.mesh.element_count()});
+  part.model.bodies_by_name.push_back({name->value, 0, part.model.mesh.element_count(), 0,
+                                       static_cast<int>(part.model.mesh.triangles.size())});
 }
 
 }  // namespace glisson::detail

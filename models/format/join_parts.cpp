@@ -39,7 +39,10 @@ void shift(Part& part, int node_offset, int element_offset, int triangle_offset)
     for (auto& e : section.elements) e += triangle_offset;
   for (auto& section : model.sections)
     for (auto& e : section.elements) e += element_offset;
-  for (auto& body : model.bodies_by_name) body.first += element_offset;
+  for (auto& body : model.bodies_by_name) {
+    body.first += element_offset;
+    body.first_triangle += triangle_offset;
+  }
   for (auto& gravity : model.gravity)  // "all" means all of this part
     if (gravity.nodes.empty())
       for (int n = 0; n < model.mesh.node_count(); ++n) gravity.nodes.push_back(n);

@@ -23,6 +23,7 @@ constexpr std::array rules{
         "ContactCylinder=Cylinder* ContactUSProbe=Cylinder* ContactPlate=Plate* Output=Output "
         "SystemParams=SystemParams ShellElements=ShellElements* ShellElementSet=ShellElementSet* "
         "ContactSurface=ContactSurface* ContactPair=ContactPair* ContactNodes=Nodes "
+        "TiedSurfaces=TiedSurfaces* "
         "KinematicContact=NotBuilt* ReducedBasis=NotBuilt"},
     ElementRule{
         "SubModel", "Name",
@@ -86,6 +87,7 @@ constexpr std::array rules{
                 "Nodes=MeshNodes Elements=MeshElements VTKSurface=MeshFile SurfaceFile=MeshFile "
                 "FrictionCoefficient=Value SlaveNodes=Nodes SlvNodes=Nodes Motion=Motion"},
     ElementRule{"ContactPair", "A B Touch:0,1", "FrictionCoefficient=Value"},
+    ElementRule{"TiedSurfaces", "A B Distance", ""},
     ElementRule{
         "Motion",
         "Type:Translation,Rotation LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",

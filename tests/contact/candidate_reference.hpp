@@ -98,7 +98,7 @@ class CandidateReference {
   }
   /// Edges to the centre of a quadrilateral lie within a facet.
   bool sticks_out(const ContactEdge& e) const {
-    if (!mesh_.is_node(e.node[0]) || !mesh_.is_node(e.node[1])) return false;
+    if (!mesh_.is_corner(e.node[0]) || !mesh_.is_corner(e.node[1])) return false;
     const auto aside = at(x_, e.opposite[1]) - at(x_, e.node[0]);
     return dot(at(normal_, e.triangle[0]), aside) < -0.03 * std::sqrt(dot(aside, aside));
   }

@@ -167,7 +167,7 @@ void expect_refused(const Model& model, const std::string& word) {
 
 TEST(BodyContactRefuses, BodiesThatStartInEachOther) {
   expect_refused(two_cubes({0.5, 0.1, 0.1}), "node 34 of sub-model 'body 0' starts more than");
-  expect_refused(two_cubes({0.5, 0.1, 0.1}), "inside of another solid, sub-model 'body 1'");
+  expect_refused(two_cubes({0.5, 0.1, 0.1}), "inside of another body, sub-model 'body 1'");
   expect_refused(two_cubes({0.955, 0.05, 0.05}), "up to 0.04 can be resolved");
   Model nested = two_cubes({0.4, 0.4, 0.4});
   for (std::size_t n = 125; n < nested.mesh.X.size(); ++n)
@@ -193,7 +193,7 @@ TEST(BodyContactRefuses, WrongNumbers) {
   model.contact.nodes = {100000};
   expect_refused(model, "does not exist");
   model.contact.nodes = {62};  // the cube's centre
-  expect_refused(model, "not on the outer surface");
+  expect_refused(model, "neither on the outer surface");
   model = two_cubes({1.1, 0, 0});
   model.contact.pairs = {{"pair 7", "body 0", "body 9", true, {}}};
   expect_refused(model, "body 9");

@@ -182,7 +182,8 @@ void expect_refused(const RigidSurface& surface, const std::vector<Vec3<double>>
   std::vector<int> nodes(X.size());
   std::iota(nodes.begin(), nodes.end(), 0);
   try {
-    refuse_overlap(surface, surface_data(surface.surface, surface.centre), nodes, mesh);
+    refuse_overlap(surface, surface_data(surface.surface, surface.centre), nodes,
+                   std::vector<double>(X.size()), mesh);
     EXPECT_TRUE(word.empty()) << "taken, but: " << word;
   } catch (const Error& e) {
     EXPECT_FALSE(word.empty()) << "refused: " << e.what();

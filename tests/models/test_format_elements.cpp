@@ -268,6 +268,7 @@ TEST(FormatContact, DeformableBodies) {
                   "<ContactPair A=\"left\" B=\"right\">"
                   "<FrictionCoefficient>0.5</FrictionCoefficient></ContactPair>"
                   "<ContactPair A=\"left\" B=\"left\" Touch=\"0\"/>"
+                  "<TiedSurfaces A=\"right\" B=\"left\" Distance=\"0.5\"/>"
                   "<ContactNodes>8 9 10</ContactNodes>");
   xml = replaced(xml, "<TimeStep>",
                  "<DoSelfCollision>1</DoSelfCollision><ContactSafetyMargin>0.01</ContactSafetyMargin>"
@@ -286,8 +287,29 @@ TEST(FormatContact, DeformableBodies) {
   ASSERT_EQ(model.contact.pairs.size(), 2U);
   EXPECT_EQ(model.contact.pairs[0].friction.value_or(0), 0.5);
   EXPECT_FALSE(model.contact.pairs[1].touch);
+  ASSERT_EQ(model.ties.size(), 1U);
+  EXPECT_EQ(model.ties[0].a, "right");
+  EXPECT_EQ(model.ties[0].b, "left");
+  EXPECT_EQ(model.ties[0].distance.value_or(0), 0.5);
   EXPECT_NE(message_of(replaced(xml, "Name=\"right\"", "Name=\"left\"")).find("used twice"),
             std::string::npos);
+}
+
+TEST(FormatContact, ShellsOfANamedSubModelHaveItsName) {
+  const auto from = base_xml.find("<Nodes"), to = base_xml.find("<SystemParams>");
+  const std::string sheet =
+      "<SubModel Name=\"sheet\"><Nodes NumNodes=\"3\" DOF=\"3\">0 0 5 1 0 5 0 1 5</Nodes>"
+      "<ShellElements Type=\"T3\" NumEls=\"1\">0 1 2</ShellElements><ShellElementSet Size=\"all\">"
+      "<Material Type=\"NeoHookean\">1000 "
+      "<Thickness>0.1</Thickness><Density>1000</Density></Material></ShellElementSet></SubModel>";
+  std::string xml = base_xml;
+  xml.replace(from, to - from, named_cube("cube", 0) + sheet);
+  const auto model = parsed(xml);
+  ASSERT_EQ(model.bodies_by_name.size(), 2U);
+  EXPECT_EQ(model.bodies_by_name[0].triangle_count, 0);
+  EXPECT_EQ(model.bodies_by_name[1].count, 0);
+  EXPECT_EQ(model.bodies_by_name[1].first_triangle, 0);
+  EXPECT_EQ(model.bodies_by_name[1].triangle_count, 1);
 }
 
 TEST(FormatTime, EveryElementOfSystemParams) {

@@ -269,6 +269,11 @@ const Bad bad_files[] = {
     {"<SystemParams>", "<ContactPair A=\"x\" B=\"y\" Tuch=\"0\"/><SystemParams>", 23, "did you mean Touch?"},
     {"<SystemParams>", "<ContactPair A=\"x\" B=\"y\"/><SystemParams>", 23, "no SubModel has Name=\"x\""},
     {"<SystemParams>", "<ContactPair A=\"x\" B=\"y\" Touch=\"2\"/><SystemParams>", 23, "Touch"},
+    {"<SystemParams>", "<TiedSurfaces A=\"x\"/><SystemParams>", 23, "B is missing"},
+    {"<SystemParams>", "<TiedSurfaces A=\"x\" B=\"y\"/><SystemParams>", 23, "no SubModel has Name=\"x\""},
+    {"<SystemParams>", "<TiedSurfaces A=\"x\" B=\"x\"/><SystemParams>", 23, "two different sub-models"},
+    {"<SystemParams>", "<TiedSurfaces A=\"x\" B=\"y\" Distance=\"0\"/><SystemParams>", 23, "greater than 0"},
+    {"<SystemParams>", "<TiedSurfaces A=\"x\" B=\"y\" Distance=\"far\"/><SystemParams>", 23, "Distance"},
     {"<SystemParams>", "<ContactNodes/><SystemParams>", 23, "empty"},
     {"<SystemParams>", "<ContactNodes>0 8</ContactNodes><SystemParams>", 23, "index 8"},
     // bodies, sub-models, output

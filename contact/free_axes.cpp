@@ -1,8 +1,13 @@
-#include <glisson/contact/deformable/surface_state.hpp>
+#include <glisson/contact/free_axes.hpp>
+
+#include <cmath>
+
+#include <glisson/core/constraints/constraint_list.hpp>
+#include <glisson/core/loads/node_list.hpp>
 
 namespace glisson::contact {
 
-std::vector<int> free_axes_of(const ContactMesh& mesh, const Model& model, const Numbering& numbering) {
+std::vector<int> free_axes_of(const std::vector<int>& nodes, const Model& model, const Numbering& numbering) {
   const ConstraintList list = make_constraint_list(model, numbering);
   std::vector<unsigned> held(model.mesh.X.size(), 0u);  // by internal node
   for (int i = 0; i < list.count(); ++i) {
@@ -17,7 +22,7 @@ std::vector<int> free_axes_of(const ContactMesh& mesh, const Model& model, const
     }
   }
   std::vector<int> free;
-  for (const int n : mesh.nodes)
+  for (const int n : nodes)
     free.push_back(
         static_cast<int>(all_axes & ~held[static_cast<std::size_t>(detail::internal_node(numbering, n))]));
   return free;
