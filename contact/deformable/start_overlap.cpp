@@ -129,9 +129,10 @@ class RestSurface {
 };
 
 /// End (0, 1) of a segment that lies behind the triangle which the segment goes through, -1 if it does not or
-/// if an end is nearer to its plane than `slack`. Through a border counts: two triangles leave no gap.
+/// if an end is nearer to its plane than `slack`.
+/// border: through a border counts
 int end_behind(const std::array<Vec3<double>, 2>& segment, const std::array<Vec3<double>, 3>& triangle,
-               double slack = 0) {
+               double slack, bool border) {
   const auto& [p, q] = segment;
   const auto& [a, b, d] = triangle;
   const auto volume = [](const Vec3<double>& x, const Vec3<double>& y, const Vec3<double>& z) {
@@ -143,13 +144,14 @@ int end_behind(const std::array<Vec3<double>, 2>& segment, const std::array<Vec3
   if (std::min(std::abs(front), std::abs(back)) < slack * std::sqrt(dot(normal, normal))) return -1;
   const double s = volume(q - p, a - p, b - p), t = volume(q - p, b - p, d - p),
                w = volume(q - p, d - p, a - p);
-  const bool through = (s >= 0 && t >= 0 && w >= 0) || (s <= 0 && t <= 0 && w <= 0);
+  const double least = std::min({s, t, w}), largest = std::max({s, t, w});
+  const bool through = border ? least >= 0 || largest <= 0 : least > 0 || largest < 0;
   return !through ? -1 : front < 0 ? 0 : 1;
 }
 int end_behind(const ContactMesh& mesh, const std::array<int, 2>& segment, const Triangle& c,
                double slack = 0) {
   const auto x = [&](int n) { return mesh.X[at(n)]; };
-  return end_behind({x(segment[0]), x(segment[1])}, {x(c[0]), x(c[1]), x(c[2])}, slack);
+  return end_behind({x(segment[0]), x(segment[1])}, {x(c[0]), x(c[1]), x(c[2])}, slack, false);
 }
 
 /// What goes through the middle of a sheet at rest would have to stay there.
@@ -157,7 +159,8 @@ void refuse_through_sheet(const ContactMesh& mesh, const ContactRules& rules,
                           const std::array<int, 2>& segment, int triangle) {
   const Triangle& c = mesh.triangles[at(triangle)];
   const auto middle = [&](int n) { return mesh.X[at(mesh.is_corner(n) ? mesh.node_of(n) : n)]; };
-  if (end_behind({middle(segment[0]), middle(segment[1])}, {middle(c[0]), middle(c[1]), middle(c[2])}) >= 0)
+  if (end_behind({middle(segment[0]), middle(segment[1])}, {middle(c[0]), middle(c[1]), middle(c[2])}, 0,
+                 true) >= 0)
     refuse("what hangs together with " + node_text(mesh, rules, segment[mesh.is_corner(segment[0]) ? 0 : 1]) +
            " goes through the membrane or shell with the nodes " + number_of(mesh, c[0]) + " " +
            number_of(mesh, c[1]) + " " + number_of(mesh, c[2]) + ". Move one of them, or forbid the pair");

@@ -81,7 +81,7 @@ def pressed_plate(n=10, thickness=0.004):
 <Density> 1000 </Density> <Thickness> {thickness} </Thickness></Material>
 <ClampedNodes> {held} </ClampedNodes></ShellElementSet>
 <Constraint Type="Fix" NumNodes="{n + 1}"><Nodes> {held} </Nodes></Constraint>
-<ContactSurface>{ball(0.02, 0.075, 0.05, 0.0205)}
+<ContactSurface>{ball(0.02, 0.075, 0.05, 0.0225)}
 <Motion Type="Translation" LoadShape="POLY345"> 0 0 -0.02 </Motion></ContactSurface>
 <ContactCylinder><Origin> 0.03 -0.01 -0.0105 </Origin><Axis> 0 1 0 </Axis><Radius> 0.01 </Radius><Length> 0.12 </Length>
 <OrigDisp> 0 0 0 </OrigDisp><RadChange> 0 </RadChange></ContactCylinder>
