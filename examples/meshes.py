@@ -130,11 +130,11 @@ def write_vtk(path, X, cells, polygons=False):
 
 
 def read_vtk(path):
-    """Points and tetrahedra of a file that write_vtk wrote."""
+    """Points and cells of a file that write_vtk wrote."""
     words = path.read_text().split()
     at = words.index("POINTS")
     count = int(words[at + 1])
     numbers = list(map(float, words[at + 3:at + 3 + 3 * count]))
-    at = words.index("CELLS")
-    cells = list(map(int, words[at + 3:at + 3 + 5 * int(words[at + 1])]))
-    return list(zip(*[iter(numbers)] * 3)), [list(c[1:]) for c in zip(*[iter(cells)] * 5)]
+    at = words.index("POLYGONS" if "POLYGONS" in words else "CELLS")
+    cells = list(map(int, words[at + 3:at + 3 + int(words[at + 2])]))
+    return list(zip(*[iter(numbers)] * 3)), [list(c[1:]) for c in zip(*[iter(cells)] * (cells[0] + 1))]
