@@ -19,8 +19,9 @@ struct ContactCase {
   Model model;
 };
 
-inline void add_solid(Model& model, Mesh mesh, double density, double scale = 1,
-                      const Vec3<double>& shift = {}) {
+/// Returns its nodes.
+inline std::vector<int> add_solid(Model& model, Mesh mesh, double density, double scale = 1,
+                                  const Vec3<double>& shift = {}) {
   const int first_node = model.mesh.node_count(), first = model.mesh.element_count();
   for (const auto& X : mesh.X) model.mesh.X.push_back(scale * X + shift);
   for (int e = 0; e < mesh.element_count(); ++e) {
@@ -35,6 +36,9 @@ inline void add_solid(Model& model, Mesh mesh, double density, double scale = 1,
   section.elements.resize(static_cast<std::size_t>(mesh.element_count()));
   std::iota(section.elements.begin(), section.elements.end(), first);
   model.sections.push_back(section);
+  std::vector<int> nodes(mesh.X.size());
+  std::iota(nodes.begin(), nodes.end(), first_node);
+  return nodes;
 }
 
 inline std::vector<int> nodes_with(const Mesh& mesh, const std::function<bool(const Vec3<double>&)>& keep) {
@@ -87,11 +91,8 @@ inline ContactCase ball_and_slab(int n = 8, std::array<int, 3> slab = {9, 13, 3}
   ContactCase its{"Ball-slab", {}};
   Model& model = its.model;
   add_solid(model, box_mesh(slab, {4.5, 6.5, 1.5}, Shape::tetrahedron), 1);
-  const int first = model.mesh.node_count();
   model.fixed.push_back({nodes_with(model.mesh, [](const auto& X) { return X.z < 1e-9; }), all_axes});
-  add_solid(model, ball_shape({n, n, n}), 1, 2, {2.25, 3.25, 3.7});
-  std::vector<int> ball(static_cast<std::size_t>(model.mesh.node_count() - first));
-  std::iota(ball.begin(), ball.end(), first);
+  const auto ball = add_solid(model, ball_shape({n, n, n}), 1, 2, {2.25, 3.25, 3.7});
   model.initial_velocities.push_back({ball, {0, 0, -0.15}});
   model.contact.between_bodies = true;
   run_for(model, 7, steps);
@@ -103,10 +104,7 @@ inline ContactCase two_spheres(std::array<int, 3> cells = {9, 9, 8}, int steps =
   ContactCase its{"Two spheres", {}};
   Model& model = its.model;
   for (const double side : {-1.0, 1.0}) {
-    const int first = model.mesh.node_count();
-    add_solid(model, ball_shape(cells), 1, 1, {side * 1.05, 0, 0});
-    std::vector<int> ball(static_cast<std::size_t>(model.mesh.node_count() - first));
-    std::iota(ball.begin(), ball.end(), first);
+    const auto ball = add_solid(model, ball_shape(cells), 1, 1, {side * 1.05, 0, 0});
     model.initial_velocities.push_back({ball, {-side * 0.05, 0, 0}});
   }
   model.contact.between_bodies = true;

@@ -19,8 +19,11 @@ std::vector<std::unique_ptr<ForceProvider<R>>> make_rigid_bodies(B& backend, con
                                                                  std::span<const double> = {}) {
   std::vector<std::unique_ptr<ForceProvider<R>>> result;
   const auto add = [&]<class Shape>(const RigidBody& body, Shape) {
-    refuse_overlap(RigidMotion(body), candidate_nodes(body.nodes, model.mesh), model.mesh);
-    result.push_back(std::make_unique<RigidContact<B, R, Shape>>(backend, body, model.mesh, numbering));
+    const RigidMotion motion(body);
+    const std::vector<int> nodes = candidate_nodes(body.nodes, model.mesh);
+    refuse_overlap(motion, nodes, model.mesh);
+    result.push_back(
+        std::make_unique<RigidContact<B, R, Shape>>(backend, motion, nodes, model.mesh, numbering));
   };
   for (const RigidBody& body : model.bodies) switch (body.shape) {
       case RigidShape::plate:

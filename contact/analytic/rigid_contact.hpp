@@ -29,8 +29,11 @@ struct ContactForce : LastForces<R> {
 template <Backend B, class R, class Shape>
 class RigidContact final : public ListContact<B, R> {
  public:
-  RigidContact(B& backend, const RigidBody& body, const Mesh& mesh, const Numbering& numbering)
-      : RigidContact(backend, RigidMotion(body), mesh, numbering) {}
+  RigidContact(B& backend, RigidMotion motion, const std::vector<int>& nodes, const Mesh& mesh,
+               const Numbering& numbering)
+      : ListContact<B, R>(backend, motion.body().name,
+                          ListContact<B, R>::entries_of(nodes, motion.reference(), mesh, numbering)),
+        motion_(std::move(motion)) {}
 
   void add_forces(const StepView<R>& step) override {
     if (this->count() == 0) return;
@@ -38,12 +41,6 @@ class RigidContact final : public ListContact<B, R> {
   }
 
  private:
-  RigidContact(B& backend, RigidMotion motion, const Mesh& mesh, const Numbering& numbering)
-      : ListContact<B, R>(backend, motion.body().name,
-                          ListContact<B, R>::entries_of(candidate_nodes(motion.body().nodes, mesh),
-                                                        motion.reference(), mesh, numbering)),
-        motion_(std::move(motion)) {}
-
   ContactForce<R, Shape> rule(const StepView<R>& step, double t, const Vec4<R>* u) const {
     ContactForce<R, Shape> result{
         {this->last()}, {}, narrowed<R>(motion_.shift(t)), this->X(), u, step.v, step.advance_per_force};

@@ -4,6 +4,7 @@
 #include <map>
 
 #include <glisson/contact/shell_thickness.hpp>
+#include <glisson/core/base/error.hpp>
 #include <glisson/core/mesh/surface.hpp>
 #include <glisson/core/mesh/triangles.hpp>
 
@@ -191,6 +192,12 @@ std::vector<int> body_of_elements(const Model& model) {
 std::vector<int> body_of_triangles(const Model& model) {
   return bodies(model, model.mesh.triangles.size(), &NamedElements::first_triangle,
                 &NamedElements::triangle_count);
+}
+
+int body_named(const Model& model, const std::string& name, const std::string& where) {
+  for (std::size_t k = 0; k < model.bodies_by_name.size(); ++k)
+    if (model.bodies_by_name[k].name == name) return static_cast<int>(k) + 1;
+  throw Error(ErrorKind::input, "there is no sub-model with the name '" + name + "'", {"", 0, where});
 }
 
 }  // namespace glisson::contact

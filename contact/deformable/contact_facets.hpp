@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include <glisson/core/model.hpp>
@@ -40,5 +41,7 @@ ContactFacets contact_facets(const Model& model);
 /// body of each solid element and of each shell triangle, as ContactFacet::body.
 std::vector<int> body_of_elements(const Model& model);
 std::vector<int> body_of_triangles(const Model& model);
+/// The body of a name, as ContactFacet::body. where: what asks for it. Throws Error(input) there.
+int body_named(const Model& model, const std::string& name, const std::string& where);
 
 }  // namespace glisson::contact

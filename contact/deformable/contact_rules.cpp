@@ -2,18 +2,9 @@
 
 #include <algorithm>
 
-#include <glisson/core/base/error.hpp>
+#include <glisson/contact/deformable/contact_facets.hpp>
 
 namespace glisson::contact {
-namespace {
-
-int body_named(const Model& model, const std::string& where, const std::string& name) {
-  for (std::size_t k = 0; k < model.bodies_by_name.size(); ++k)
-    if (model.bodies_by_name[k].name == name) return static_cast<int>(k) + 1;
-  throw Error(ErrorKind::input, "there is no sub-model with the name '" + name + "'", {"", 0, where});
-}
-
-}  // namespace
 
 ContactRules::ContactRules(const Model& model, const ContactMesh& mesh)
     : between_(model.contact.between_bodies),
@@ -24,10 +15,10 @@ ContactRules::ContactRules(const Model& model, const ContactMesh& mesh)
       body_(mesh.body_of_region) {
   for (const NamedElements& body : model.bodies_by_name) names_.push_back(body.name);
   for (const TiedSurfaces& tie : model.ties)
-    pairs_[std::minmax(body_named(model, tie.where, tie.a), body_named(model, tie.where, tie.b))] = {
+    pairs_[std::minmax(body_named(model, tie.a, tie.where), body_named(model, tie.b, tie.where))] = {
         false, friction_};
   for (const ContactPair& pair : model.contact.pairs) {
-    const int a = body_named(model, pair.where, pair.a), b = body_named(model, pair.where, pair.b);
+    const int a = body_named(model, pair.a, pair.where), b = body_named(model, pair.b, pair.where);
     pairs_[std::minmax(a, b)] = {pair.touch, pair.friction.value_or(friction_)};
     any_self_ = any_self_ || (a == b && pair.touch);
   }

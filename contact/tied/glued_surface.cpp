@@ -95,9 +95,12 @@ GluedSurface::GluedSurface(const Model& model, const ContactFacets& facets, int 
     triangles.push_back({first, first + 1, first + 2});
   }
   if (!triangles.empty()) hierarchy_ = build_hierarchy(triangles, x, {});
-  for (int f = 0; f < facet_count(); ++f)
-    for (const FacetSample& s : samples(f))
-      for (int i = 0; i < s.count; ++i) area_[s.node[at(i)]] += s.area * s.shape[at(i)];
+  for (const Piece& piece : pieces_) {  // the shape functions are linear in a piece
+    const Facet& facet = facets_[at(piece.facet)];
+    const double area = 0.5 * length_of(twice_the_area(piece.x));
+    const Shape mean = mixed(piece.shape, 1.0 / 3, 1.0 / 3, 1.0 / 3);
+    for (int i = 0; i < facet.count(); ++i) area_[facet.node[at(i)]] += area * mean[at(i)];
+  }
 }
 
 void GluedSurface::cut(int f) {

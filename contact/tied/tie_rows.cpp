@@ -20,12 +20,6 @@ using Row = std::map<int, double>;  // node: weight
   throw Error(ErrorKind::input, why, {"", 0, tie.where});
 }
 
-int body_named(const Model& model, const TiedSurfaces& tie, const std::string& name) {
-  for (std::size_t k = 0; k < model.bodies_by_name.size(); ++k)
-    if (model.bodies_by_name[k].name == name) return static_cast<int>(k) + 1;
-  refuse(tie, "there is no sub-model with the name '" + name + "'");
-}
-
 /// A node's row needs this share of the area around it to face the other surface: with less it would hang on
 /// a corner.
 constexpr double least_share = 0.05;
@@ -53,10 +47,10 @@ double append_rows(const GluedSurface& a, const GluedSurface& b, double distance
   return nearest;
 }
 
-void append_tie(const Model& model, const TiedSurfaces& tie, std::vector<Row>& rows) {
-  const int first = body_named(model, tie, tie.a), second = body_named(model, tie, tie.b);
+void append_tie(const Model& model, const ContactFacets& facets, const TiedSurfaces& tie,
+                std::vector<Row>& rows) {
+  const int first = body_named(model, tie.a, tie.where), second = body_named(model, tie.b, tie.where);
   if (first == second) refuse(tie, "it ties '" + tie.a + "' to itself; give two different sub-models");
-  const ContactFacets facets = contact_facets(model);
   const GluedSurface a(model, facets, first), b(model, facets, second);
   for (const auto& [surface, name] : {std::pair{&a, &tie.a}, std::pair{&b, &tie.b}})
     if (surface->facet_count() == 0)
@@ -149,7 +143,8 @@ void set_bounds(TieRows& rows, const std::vector<double>& mass) {
 
 TieRows tie_rows(const Model& model, const std::vector<double>& mass) {
   std::vector<Row> rows;
-  for (const TiedSurfaces& tie : model.ties) append_tie(model, tie, rows);
+  const ContactFacets facets = contact_facets(model);
+  for (const TiedSurfaces& tie : model.ties) append_tie(model, facets, tie, rows);
   TieRows result = packed(rows, mass);
   if (result.row_count() > 0) set_bounds(result, mass);
   return result;

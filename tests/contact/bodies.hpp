@@ -57,6 +57,18 @@ inline Vec3<double> mean_of(const std::vector<Vec3<double>>& values, const Body&
   return (1 / all) * sum;
 }
 
+/// Input that is refused, with these words in the message.
+inline void expect_refused(const Model& model, const std::string& word) {
+  try {
+    validate(model);
+    simulate(model, serial_double);
+    ADD_FAILURE() << "taken, but: " << word;
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::input);
+    EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+  }
+}
+
 /// The octant [0, 1]^3 of n^3 bricks mirrored to [-1, 1]^3, so that the mesh has the symmetry of the cube.
 inline Mesh mirrored_cube(int n) {
   const Mesh octant = box_mesh({n, n, n}, {1, 1, 1}, Shape::tetrahedron);

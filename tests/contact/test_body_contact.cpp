@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <sstream>
 #include <tuple>
 
 #include <tests/contact/bodies.hpp>
@@ -124,15 +123,7 @@ TEST(BodyContactThreads, GiveTheSameBitsForAnyNumber) {
 
 TEST_P(BodyContacts, AResumedRunEndsWithTheSameBits) {
   const Model model = sliding_block();
-  auto whole = simulate(model, GetParam());
-  whole->step(10);
-  std::stringstream file;
-  whole->save(file);
-  whole->step(10);
-  auto resumed = simulate(model, GetParam());
-  resumed->load(file);
-  resumed->step(10);
-  EXPECT_TRUE(same_bits(whole->displacement(), resumed->displacement()));
+  const auto [whole, resumed] = expect_same_bits_resumed(model, GetParam(), 10, 10);
   const ContactReport a = whole->contacts().at(0).report, b = resumed->contacts().at(0).report;
   EXPECT_GT(a.node_count, 0);
   EXPECT_EQ(a.node_count, b.node_count);
@@ -152,17 +143,6 @@ Model two_cubes(const Vec3<double>& shift) {
   model.contact.between_bodies = true;
   model.time.total = 0.1;
   return model;
-}
-
-void expect_refused(const Model& model, const std::string& word) {
-  try {
-    validate(model);
-    simulate(model, serial_double);
-    ADD_FAILURE() << "taken, but: " << word;
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::input);
-    EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
-  }
 }
 
 TEST(BodyContactRefuses, BodiesThatStartInEachOther) {

@@ -1,8 +1,6 @@
 // Membranes in contact: with solids, with each other, with rigid surfaces, as skins.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include <glisson/core/mesh/triangles.hpp>
 
 #include <tests/contact/sheets.hpp>
@@ -130,16 +128,7 @@ TEST(SheetContactThreads, GiveTheSameBitsForAnyNumber) {
 }
 
 TEST_P(SheetContactsEverywhere, AResumedRunEndsWithTheSameBits) {
-  const Model model = thrown_sheet(0.3);
-  auto whole = simulate(model, GetParam());
-  whole->step(60);
-  std::stringstream file;
-  whole->save(file);
-  whole->step(20);
-  auto resumed = simulate(model, GetParam());
-  resumed->load(file);
-  resumed->step(20);
-  EXPECT_TRUE(same_bits(whole->displacement(), resumed->displacement()));
+  const auto [whole, resumed] = expect_same_bits_resumed(thrown_sheet(0.3), GetParam(), 60, 20);
   EXPECT_GT(whole->contacts().at(0).report.largest_depth, 0) << "nothing was touched";
 }
 

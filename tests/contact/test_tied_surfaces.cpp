@@ -1,8 +1,6 @@
 // Glued surfaces whose meshes do not match: stress, stiffness, momentum, restart, what is refused.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include <tests/contact/sheets.hpp>
 #include <tests/support/same_bits.hpp>
 
@@ -126,16 +124,7 @@ TEST(TiedThreads, GiveTheSameBitsForAnyNumber) {
 }
 
 TEST_P(TiedBodies, AResumedRunEndsWithTheSameBits) {
-  const Model model = spinning_pair();
-  auto whole = simulate(model, GetParam());
-  whole->step(30);
-  std::stringstream file;
-  whole->save(file);
-  whole->step(20);
-  auto resumed = simulate(model, GetParam());
-  resumed->load(file);
-  resumed->step(20);
-  EXPECT_TRUE(same_bits(whole->displacement(), resumed->displacement()));
+  expect_same_bits_resumed(spinning_pair(), GetParam(), 30, 20);
 }
 
 /// A membrane glued onto a block bends with it.
@@ -165,15 +154,6 @@ TEST_P(TiedBodies, AMembraneSticksToABlock) {
 GLISSON_ALL_CASES(TiedBodies);
 INSTANTIATE_TEST_SUITE_P(All, TiedBeams, testing::Values(serial_double, threads_float, cuda_float),
                          case_name);
-
-void expect_refused(const Model& model, const std::string& why) {
-  try {
-    simulate(model, serial_double);
-    FAIL() << why;
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find(why), std::string::npos) << e.what();
-  }
-}
 
 TEST(TiedInput, ThatCannotBeTiedIsRefused) {
   Model model = pulled_blocks(Shape::tetrahedron, Shape::tetrahedron);
