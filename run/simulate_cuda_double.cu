@@ -2,6 +2,7 @@
 #include <glisson/cuda/solids/dispatch.cuh>
 #include <glisson/run/assemble.hpp>
 #include <glisson/run/simulate.hpp>
+#include <glisson/shells/patches/make_staged_shells.hpp>
 
 namespace glisson::detail {
 
@@ -9,7 +10,7 @@ std::unique_ptr<AnySimulation> simulate_cuda_double(const Model& model, int numb
   auto backend = std::make_unique<Cuda>(number);
   const std::string device = "CUDA double, cuda:" + std::to_string(number) + " " + backend->facts().name;
   return assemble<Cuda, double>(model, std::move(backend), device, make_staged_solids<Cuda, double>,
-                                make_plain_shells<Cuda, double>);
+                                make_staged_shells<Cuda, double>);
 }
 
 }  // namespace glisson::detail

@@ -2,6 +2,7 @@
 #include <glisson/cuda/solids/dispatch.cuh>
 #include <glisson/run/assemble.hpp>
 #include <glisson/run/simulate.hpp>
+#include <glisson/shells/patches/make_staged_shells.hpp>
 
 namespace glisson::detail {
 
@@ -9,7 +10,7 @@ std::unique_ptr<AnySimulation> simulate_cuda_float(const Model& model, int numbe
   auto backend = std::make_unique<Cuda>(number);
   const std::string device = "CUDA float, cuda:" + std::to_string(number) + " " + backend->facts().name;
   return assemble<Cuda, float>(model, std::move(backend), device, make_staged_solids<Cuda, float>,
-                               make_plain_shells<Cuda, float>);
+                               make_staged_shells<Cuda, float>);
 }
 
 }  // namespace glisson::detail

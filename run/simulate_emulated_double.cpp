@@ -2,13 +2,14 @@
 #include <glisson/cpu/emulated_device.hpp>
 #include <glisson/run/assemble.hpp>
 #include <glisson/run/simulate.hpp>
+#include <glisson/shells/patches/make_staged_shells.hpp>
 
 namespace glisson::detail {
 
 std::unique_ptr<AnySimulation> simulate_emulated_double(const Model& model) {
   return assemble<EmulatedDevice, double>(model, std::make_unique<EmulatedDevice>(), "EmulatedDevice double",
                                           make_staged_solids<EmulatedDevice, double>,
-                                          make_plain_shells<EmulatedDevice, double>);
+                                          make_staged_shells<EmulatedDevice, double>);
 }
 
 }  // namespace glisson::detail

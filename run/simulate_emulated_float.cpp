@@ -2,13 +2,14 @@
 #include <glisson/cpu/emulated_device.hpp>
 #include <glisson/run/assemble.hpp>
 #include <glisson/run/simulate.hpp>
+#include <glisson/shells/patches/make_staged_shells.hpp>
 
 namespace glisson::detail {
 
 std::unique_ptr<AnySimulation> simulate_emulated_float(const Model& model) {
   return assemble<EmulatedDevice, float>(model, std::make_unique<EmulatedDevice>(), "EmulatedDevice float",
                                          make_staged_solids<EmulatedDevice, float>,
-                                         make_plain_shells<EmulatedDevice, float>);
+                                         make_staged_shells<EmulatedDevice, float>);
 }
 
 }  // namespace glisson::detail

@@ -11,8 +11,8 @@ namespace glisson {
 
 /// Rows of a patch: one force per element and corner.
 constexpr int patch_rows = 1024;
-/// Elements of a full patch, and threads: 256 tetrahedra or 128 hexahedra.
-constexpr int patch_threads(int corners) { return patch_rows / corners; }
+/// Elements of a full patch, and threads, in whole warps: 256 tetrahedra or 128 hexahedra.
+constexpr int patch_threads(int corners) { return patch_rows / corners / 32 * 32; }
 /// Nodes of a patch at most: with four values per node and three per row, 48 KiB in double, which every GPU
 /// gives a block unasked. Elements in locality order stay far below.
 constexpr int patch_node_limit = 768;

@@ -9,7 +9,7 @@
 #include <glisson/core/kernels/averaged_pressure.hpp>
 #include <glisson/core/kernels/element_forces.hpp>
 #include <glisson/core/kernels/patch_bodies.hpp>
-#include <glisson/core/solids/patch_kernels.hpp>
+#include <glisson/core/solids/run_phases.hpp>
 
 namespace glisson::detail {
 
@@ -72,13 +72,7 @@ struct CallPhases : PatchBodies {
   template <class R, class Body>
   static void of(const PatchView<R>& patches, const PatchStep<R>& step, PatchPhase phase, int patch,
                  int thread, R* memory) {
-    const Body body{{patches, step}};
-    if (phase == PatchPhase::load)
-      body.load(patch, thread, memory);
-    else if (phase == PatchPhase::evaluate)
-      body.evaluate(patch, thread, memory);
-    else
-      body.sum(patch, thread, memory);
+    run_phase(Body{{patches, step}}, phase, patch, thread, memory);
   }
 };
 

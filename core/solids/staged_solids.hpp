@@ -8,7 +8,7 @@
 
 #include <glisson/core/array_sum.hpp>
 #include <glisson/core/solids/block_material.hpp>
-#include <glisson/core/solids/host_patches.hpp>
+#include <glisson/core/solids/patch_arrays.hpp>
 #include <glisson/core/solids/patch_kernels.hpp>
 #include <glisson/core/solids/solid_forces.hpp>
 
@@ -45,8 +45,7 @@ class StagedSolids final : public SolidForces<R> {
     int threads = 0;  ///< per patch
     PatchView<R> view{};
     Buffer<std::byte> constants{};
-    Buffer<int> element_begin{}, node_begin{}, interior_count{}, node{}, slot{}, shared{}, row_begin{};
-    Buffer<std::uint16_t> row{}, corner{};
+    PatchArrays arrays;
   };
 
   template <class T>
@@ -57,7 +56,6 @@ class StagedSolids final : public SolidForces<R> {
     return buffer;
   }
   void add_block(HostBlock<R> host, const HostPatches& patches, int first_element);
-  void upload_patches(Block& block, const HostPatches& patches);
   void run(const Block& block, Function function, const StepView<R>& step, bool store) {
     Dispatch::run(backend_, function, block.view, PatchStep<R>{step.u, step.f, store}, block.threads,
                   memory_.get());
@@ -123,9 +121,15 @@ void StagedSolids<B, R>::add_block(HostBlock<R> host, const HostPatches& patches
   const int threads = patch_threads(host.nodes_per_element);
   // more constants than this stay one after the other, see patch_constants()
   auto constants = upload(host.formulation == Formulation::h8_full ? host.constants : interleaved(host));
-  Block block{{backend_, std::move(host)}, kernels, threads};
-  block.constants = std::move(constants);
-  upload_patches(block, patches);
+  PatchView<R> view{};
+  PatchArrays arrays(backend_, patches, view);
+  bytes_ += arrays.bytes();
+  view.slot_force = slot_force_.get();
+  view.slot_pressure = slot_pressure_.get();
+  view.nodal_pressure = nodal_pressure_.get();
+  view.inverse_volume = inverse_volume_.get();
+  view.shared_begin = shared_begin_.get();
+  Block block{{backend_, std::move(host)}, kernels, threads, view, std::move(constants), std::move(arrays)};
   block.material.connect(block.view.block);
   bytes_ += block.material.memory_bytes();
   block.view.block.constants = block.constants.get();
@@ -142,31 +146,6 @@ void StagedSolids<B, R>::add_forces(const StepView<R>& step) {
   }
   backend_.for_each(shared_count_,
                     AddSharedForces<R>{shared_nodes_.get(), shared_begin_.get(), slot_force_.get(), step.f});
-}
-
-template <Backend B, class R>
-void StagedSolids<B, R>::upload_patches(Block& block, const HostPatches& patches) {
-  PatchView<R>& view = block.view;
-  const auto put = [&](auto& buffer, const auto& from, auto& pointer) {
-    buffer = upload(from);
-    pointer = buffer.get();
-  };
-  put(block.element_begin, patches.element_begin, view.element_begin);
-  put(block.node_begin, patches.node_begin, view.node_begin);
-  put(block.interior_count, patches.interior_count, view.interior_count);
-  put(block.node, patches.node, view.node);
-  put(block.slot, patches.slot, view.slot);
-  put(block.shared, patches.shared, view.shared);
-  put(block.row_begin, patches.row_begin, view.row_begin);
-  put(block.row, patches.row, view.row);
-  put(block.corner, patches.corner, view.corner);
-  view.slot_force = slot_force_.get();
-  view.slot_pressure = slot_pressure_.get();
-  view.nodal_pressure = nodal_pressure_.get();
-  view.inverse_volume = inverse_volume_.get();
-  view.shared_begin = shared_begin_.get();
-  view.patch_count = patches.patch_count();
-  view.stride = (patches.largest_node_count + 31) / 32 * 32;
 }
 
 }  // namespace glisson
