@@ -15,6 +15,7 @@
 #include <glisson/core/simulation/simulation.hpp>
 #include <glisson/core/solids/mass.hpp>
 #include <glisson/core/solids/stable_step.hpp>
+#include <glisson/run/search_parts.hpp>
 #include <glisson/shells/inertia.hpp>
 #include <glisson/shells/shell_forces.hpp>
 
@@ -55,7 +56,9 @@ std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> b
   parts.loads = make_loads<B, R>(*backend, model, parts.numbering, gravity_mass, parts.mass);
   parts.bodies = contact::make_rigid_bodies<B, R>(*backend, model, parts.numbering, parts.mass);
   contact::add_rigid_surfaces<B, R>(*backend, model, parts.numbering, parts.bodies);
-  contact::add_body_contact<B, R>(*backend, model, parts.numbering, parts.bodies);
+  if (model.contact.wanted())
+    parts.bodies.push_back(std::make_unique<contact::BodyContact<B, R>>(*backend, model, parts.numbering,
+                                                                        search_parts(*backend)));
   contact::add_tied_surfaces<B, R>(*backend, model, parts.numbering, parts.mass, parts.bodies);
   parts.constraints = std::make_unique<Constraints<B, R>>(*backend, model, parts.numbering);
   parts.backend = std::move(backend);

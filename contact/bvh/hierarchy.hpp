@@ -53,5 +53,8 @@ void refit(Hierarchy& hierarchy, std::span<const Triangle> triangles, std::span<
 /// Refits one node; of an interior node from its children.
 void refit_node(Hierarchy& hierarchy, int n, std::span<const Triangle> triangles,
                 std::span<const Vec3<double>> x, std::span<const Vec3<double>> x_next = {});
+/// The same, but its cone stays.
+void refit_box(Hierarchy& hierarchy, int n, std::span<const Triangle> triangles,
+               std::span<const Vec3<double>> x, std::span<const Vec3<double>> x_next = {});
 
 }  // namespace glisson::contact

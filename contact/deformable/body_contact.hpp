@@ -21,14 +21,15 @@ constexpr int contact_iterations = 16;
 template <Backend B, class R>
 class BodyContact final : public ForceProvider<R>, public ContactSource {
  public:
-  /// The backend must outlive it. Throws Error(input) for a surface without an inside, a pair that names no
-  /// body and bodies that start in each other too deep.
-  BodyContact(B& backend, const Model& model, const Numbering& numbering)
+  /// The backend must outlive it. parts: who shares the searches. Throws Error(input) for a surface without
+  /// an inside, a pair that names no body and bodies that start in each other too deep.
+  BodyContact(B& backend, const Model& model, const Numbering& numbering, HostParts parts = {})
       : backend_(backend),
         mesh_(contact_mesh(model)),
         rules_(model, mesh_),
         distances_(contact_distances(model.contact, mesh_)),
         search_(mesh_, rules_, distances_.reach),
+        parts_(std::move(parts)),
         start_depth_(start_depth(mesh_, rules_, distances_, search_.hierarchy())),
         surface_(backend, mesh_, model, numbering),
         lists_(backend, mesh_),
@@ -89,7 +90,8 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   }
   void list(const std::vector<int>& extra) {
     surface_.reference_to(x_);
-    lists_.put(search_.find(x_, room_ * distances_.swing + 0.5 * distances_.reach), extra, internal_);
+    const double margin = room_ * distances_.swing + 0.5 * distances_.reach;
+    lists_.put(search_.find(x_, margin, parts_), extra, internal_);
     listed_ = true;
   }
   /// motion: of the fastest node in the step [m]
@@ -124,6 +126,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   ContactRules rules_;
   ContactDistances distances_;
   CandidateSearch search_;
+  HostParts parts_;
   double start_depth_;
   SurfaceState<B, R> surface_;
   CandidateLists<B, R> lists_;
@@ -207,13 +210,6 @@ void BodyContact<B, R>::load(std::span<const std::byte> bytes) {
   for (auto& slot : memory) in.value(slot);
   in.end();
   lists_.set_memory(memory);
-}
-
-/// Appends the contact of deformable bodies if the model wants it.
-template <Backend B, class R>
-void add_body_contact(B& backend, const Model& model, const Numbering& numbering,
-                      std::vector<std::unique_ptr<ForceProvider<R>>>& to) {
-  if (model.contact.wanted()) to.push_back(std::make_unique<BodyContact<B, R>>(backend, model, numbering));
 }
 
 }  // namespace glisson::contact

@@ -2,75 +2,11 @@
 // at the predicted positions.
 #pragma once
 
-#include <glisson/contact/deformable/surface_view.hpp>
+#include <glisson/contact/deformable/nearest_facet.hpp>
+#include <glisson/contact/deformable/passage.hpp>
 #include <glisson/contact/deformable/touch.hpp>
 
 namespace glisson::contact {
-
-/// Where the path of a point went through a triangle that moves as well, from front to back.
-template <class R>
-struct Passage {
-  R at = R(2);  ///< share of the step; above 1: nowhere
-  int facet = -1;
-  R b[3] = {R(0), R(0), R(0)};
-};
-
-/// Node and triangle at a share t of the step.
-template <class R>
-struct MovingTriangle {
-  Vec3<R> start[4], motion[4];  ///< of the node and the corners
-
-  GLISSON_HD MovingTriangle(const SurfaceView<R>& s, int node, const Corners& c) {
-    const int k[4] = {node, c.n[0], c.n[1], c.n[2]};
-    for (int i = 0; i < 4; ++i) start[i] = s.position_before(k[i]), motion[i] = xyz(s.motion[k[i]]);
-  }
-  GLISSON_HD Vec3<R> at(int i, R t) const { return start[i] + t * motion[i]; }
-  /// Height of the node over the plane times twice the triangle's area.
-  GLISSON_HD R volume(R t, Vec3<R>& area) const {
-    const Vec3<R> a = at(1, t);
-    area = cross(at(2, t) - a, at(3, t) - a);
-    return dot(at(0, t) - a, area);
-  }
-  /// A root between `front`, where the volume is positive, and `back`: the chord's, where the end that stays
-  /// counts half the second time (Dowell & Jarratt 1971), at most to the rounding of t.
-  GLISSON_HD R crossing(R front, R volume_front, R back, R volume_back) const {
-    Vec3<R> area;
-    for (int i = 0, side = 0; i < 30 && back - front > R(1e-7); ++i) {
-      const R t = front + (back - front) * (volume_front / (volume_front - volume_back));
-      const R here = volume(t, area);
-      if (here > R(0)) {
-        front = t, volume_front = here;
-        if (side == 1) volume_back *= R(0.5);
-        side = 1;
-      } else {
-        if (!(t < back) || here == R(0)) return t;
-        back = t, volume_back = here;
-        if (side == 2) volume_front *= R(0.5);
-        side = 2;
-      }
-    }
-    return back;
-  }
-};
-
-/// The point is in front of the triangle's plane at the beginning of the step and behind it at the end: the
-/// time in between (the coplanarity cubic of Provot 1997 has one or three roots then).
-template <class R>
-GLISSON_HD void find_passage(const SurfaceView<R>& s, int node, int facet, R slack, Passage<R>& passage) {
-  const MovingTriangle<R> moving(s, node, s.triangles[facet]);
-  Vec3<R> area;
-  const R after = moving.volume(R(1), area);
-  if (!(after < R(0))) return;
-  const R before = moving.volume(R(0), area);
-  if (!(before > -slack * square_root(dot(area, area)))) return;
-  const R t = before > R(0) ? moving.crossing(R(0), before, R(1), after) : R(0);
-  const TrianglePoint<R> foot =
-      closest_on_triangle(moving.at(0, t), moving.at(1, t), moving.at(2, t), moving.at(3, t));
-  if (foot.distance_squared > slack * slack || !(t < passage.at)) return;
-  passage.at = t;
-  passage.facet = facet;
-  for (int k = 0; k < 3; ++k) passage.b[k] = foot.b[k];
-}
 
 /// A node with the facets of one region that may meet it: the nearest that it faces counts (Johnsen 2016,
 /// section 5.3.4.4), or the one that it went through in the step.
@@ -88,35 +24,32 @@ struct FindFacetTouch {
   GLISSON_HD void operator()(int g) const {
     Touch<R>& t = touches[g];
     t.used = false;
-    const int node = group_node[g];
-    const Vec3<R> p = surface.position(node);
-    Passage<R> passage;
-    R best = R(2) * limits.reach;
-    int facet = -1;
-    for (int i = group_begin[g]; i < group_begin[g + 1]; ++i) {
-      const int f = facets[i];
-      const R most = limits.reach < best - bias[i] ? limits.reach : best - bias[i];
-      if (near_box(p, f, most)) {
-        const R d = distance_to(p, f);
-        if (d < most) {
-          best = d + bias[i];
-          facet = f;
-        }
-      }
-      if (swept > R(0) && near_box(p, f, swept)) find_passage(surface, node, f, limits.slack, passage);
-    }
+    const int node = group_node[g], first = group_begin[g];
+    const FacetsNear<R> group{surface, surface.position(node), facets + first, bias + first,
+                              group_begin[g + 1] - first};
+    NearestFacet<R> nearest;
+    nearest.find(group, t.nearest, limits.reach, limits.slack);
+    const Passage<R> passage = passed(group, node);
     t.friction = friction[g];
-    const bool passed = passage.facet >= 0 && t.came != came_from_behind;
-    if (passed)
+    if (nearest.place >= 0) t.nearest = nearest.place;
+    if (passage.facet >= 0 && t.came != came_from_behind)
       t.used = touch_passed(t, g, passage);
-    else if (facet >= 0)
-      t.used = touch_nearest(t, g, facet, best);
+    else if (nearest.place >= 0)
+      t.used = touch_nearest(t, g, group, nearest);
     else
       t.came = came_from_nowhere;
     if (!t.used) t.pressing = R(0);
   }
 
  private:
+  /// The facet that the node went through first in this step.
+  GLISSON_HD Passage<R> passed(const FacetsNear<R>& group, int node) const {
+    Passage<R> passage;
+    if (!(swept > R(0))) return passage;
+    for (int i = 0; i < group.count; ++i)
+      if (group.near_box(i, swept)) find_passage(surface, node, group.facets[i], limits.slack, passage);
+    return passage;
+  }
   GLISSON_HD void set_nodes(Touch<R>& t, int node, int facet, const R (&b)[3]) const {
     const Corners& c = surface.triangles[facet];
     const bool whole = c.n[2] < surface.corner_count;  // otherwise a quarter of a quad about its centre
@@ -129,54 +62,18 @@ struct FindFacetTouch {
     for (int k = 0; k < (whole ? 3 : 2); ++k) add_node(t, count, surface.node_of(c.n[k]), -b[k]);
     end_nodes(t, count);
   }
-  GLISSON_HD Vec3<R> corner(int facet, int k) const {
-    return surface.position(surface.triangles[facet].n[k]);
-  }
-  /// False where the facet's box is farther than `most`, which spares most of the distances.
-  GLISSON_HD bool near_box(const Vec3<R>& p, int facet, R most) const {
-    const Vec3<R> a = corner(facet, 0), b = corner(facet, 1), c = corner(facet, 2);
-    return near_range(p.x, a.x, b.x, c.x, most) && near_range(p.y, a.y, b.y, c.y, most) &&
-           near_range(p.z, a.z, b.z, c.z, most);
-  }
-  GLISSON_HD static bool near_range(R p, R a, R b, R c, R most) {
-    const R low = a < b ? (a < c ? a : c) : (b < c ? b : c);
-    const R high = a > b ? (a > c ? a : c) : (b > c ? b : c);
-    return p > low - most && p < high + most;
-  }
-  GLISSON_HD R distance_to(const Vec3<R>& p, int facet) const {
-    return square_root(
-        closest_on_triangle(p, corner(facet, 0), corner(facet, 1), corner(facet, 2)).distance_squared);
-  }
-  GLISSON_HD Vec3<R> normal_of(int facet) const {
-    const Vec3<R> a = corner(facet, 0);
-    return unit_or(cross(corner(facet, 1) - a, corner(facet, 2) - a), Vec3<R>{});
-  }
   /// From the node to the point b of the facet.
-  GLISSON_HD Vec3<R> to_point(int node, int facet, const R (&b)[3]) const {
-    return b[0] * corner(facet, 0) + b[1] * corner(facet, 1) + b[2] * corner(facet, 2) -
-           surface.position(node);
-  }
-  /// Mean normal of the facets that are as near as the nearest one, up to `slack`: at an edge or a vertex of
-  /// the surface the force then does not depend on which of them is found first.
-  GLISSON_HD Vec3<R> mean_normal(int g, R best) const {
-    const Vec3<R> p = surface.position(group_node[g]);
-    Vec3<R> sum;
-    for (int i = group_begin[g]; i < group_begin[g + 1]; ++i) {
-      const int f = facets[i];
-      if (!near_box(p, f, best + limits.slack - bias[i])) continue;
-      const R weight = R(1) - (distance_to(p, f) + bias[i] - best) / limits.slack;
-      if (weight > R(0)) sum = sum + weight * normal_of(f);
-    }
-    return unit_or(sum, Vec3<R>{});
+  GLISSON_HD static Vec3<R> to_point(const FacetsNear<R>& group, int place, const R (&b)[3]) {
+    return b[0] * group.corner(place, 0) + b[1] * group.corner(place, 1) + b[2] * group.corner(place, 2) -
+           group.p;
   }
   /// In front of the facet the gap is the distance and its normal the shortest way, which turns round edges
   /// without a jump.
-  GLISSON_HD bool touch_nearest(Touch<R>& t, int g, int facet, R best) const {
-    const int node = group_node[g];
-    const TrianglePoint<R> foot =
-        closest_on_triangle(surface.position(node), corner(facet, 0), corner(facet, 1), corner(facet, 2));
-    const Vec3<R> way = to_point(node, facet, foot.b);
-    const R out = dot(way, normal_of(facet)), distance = square_root(foot.distance_squared);
+  GLISSON_HD bool touch_nearest(Touch<R>& t, int g, const FacetsNear<R>& group,
+                                const NearestFacet<R>& nearest) const {
+    const TrianglePoint<R>& foot = nearest.foot;
+    const Vec3<R> way = to_point(group, nearest.place, foot.b);
+    const R out = dot(way, group.normal(nearest.place)), distance = square_root(foot.distance_squared);
     const bool inside = foot.b[0] > R(1e-4) && foot.b[1] > R(1e-4) && foot.b[2] > R(1e-4);
     // beside the border of the facets that it faces a node is still held up to here, so that flush sides
     // that slip a little stay on each other
@@ -186,17 +83,19 @@ struct FindFacetTouch {
       return false;
     }
     const bool near = beside || distance < R(0.1) * limits.slack;
-    set_nodes(t, node, facet, foot.b);
-    t.normal = near || out > R(0) ? mean_normal(g, best) : (R(-1) / distance) * way;
+    set_nodes(t, group_node[g], group.facets[nearest.place], foot.b);
+    t.normal = near || out > R(0) ? mean_normal(group, nearest, limits.slack) : (R(-1) / distance) * way;
     t.gap = -dot(t.normal, way) - limits.offset;
     return complete_touch(t, surface.motion, surface.guess, limits, entry[g]);
   }
   GLISSON_HD bool touch_passed(Touch<R>& t, int g, const Passage<R>& passage) const {
     const int node = group_node[g];
+    const R bias_of_it = R(0);
+    const FacetsNear<R> its{surface, surface.position(node), &passage.facet, &bias_of_it, 1};
     t.came = came_from_front;
     set_nodes(t, node, passage.facet, passage.b);
-    t.normal = normal_of(passage.facet);
-    t.gap = -dot(t.normal, to_point(node, passage.facet, passage.b)) - limits.offset;
+    t.normal = its.normal(0);
+    t.gap = -dot(t.normal, to_point(its, 0, passage.b)) - limits.offset;
     return complete_touch(t, surface.motion, surface.guess, limits, entry[g]);
   }
 };

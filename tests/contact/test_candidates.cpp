@@ -3,6 +3,8 @@
 
 #include <random>
 
+#include <glisson/run/search_parts.hpp>
+
 #include "tests/contact/bodies.hpp"
 #include "tests/contact/candidate_reference.hpp"
 
@@ -75,6 +77,42 @@ Model heap(Random& random) {
              {"NH", {1, 1}});
   }
   return model;
+}
+
+bool same(const Candidates& a, const Candidates& b) {
+  return a.group_node == b.group_node && a.group_region == b.group_region && a.group_begin == b.group_begin &&
+         a.facets == b.facets && a.bias == b.bias && a.group_friction == b.group_friction &&
+         a.group_entry == b.group_entry && a.edge_pairs == b.edge_pairs &&
+         a.edge_friction == b.edge_friction && a.edge_entry == b.edge_entry && a.nodes == b.nodes &&
+         a.incident_begin == b.incident_begin && a.incident == b.incident;
+}
+
+/// Large enough that every stage has several parts.
+TEST(Candidates, AreTheSameForAnyThreads) {
+  Random random{std::mt19937(31)};
+  Model model;
+  for (int b = 0; b < 2; ++b) {
+    Mesh mesh = box_mesh({24, 24, 2}, {6, 6, 0.5}, Shape::tetrahedron);
+    test::move(mesh, {0.1 * b, 0.07 * b, 0.51 * b});
+    add_body(model, without_ties(mesh, random), Formulation::t4, {"NH", {1, 1}});
+  }
+  for (const bool self : {false, true}) {
+    model.contact.between_bodies = true;
+    model.contact.self = self;
+    const ContactMesh mesh = contact_mesh(model);
+    const ContactRules rules(model, mesh);
+    auto x = mesh.X;
+    for (auto& p : x) p = p + random.point(0.02);
+    CandidateSearch alone(mesh, rules, 0.05);
+    const Candidates expected = alone.find(x, 0.1);
+    EXPECT_GT(expected.group_count(), 500);
+    for (const int threads : {1, 2, 3}) {
+      Team team(threads);
+      CandidateSearch search(mesh, rules, 0.05);
+      for (int again = 0; again < 3; ++again)
+        EXPECT_TRUE(same(search.find(x, 0.1, parts_of(team)), expected)) << threads << " threads";
+    }
+  }
 }
 
 /// The bodies are deformed at random, turned inside out among them, and may touch themselves.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <glisson/contact/bvh/pairs.hpp>
+#include <glisson/contact/bvh/pair_search.hpp>
 #include <glisson/contact/bvh/update_nodes.hpp>
 #include <glisson/core/base/error.hpp>
 
@@ -34,6 +34,11 @@ Hierarchy hierarchy_of(const TriangleSurface& s, int arity, double margin = 0) {
   return build_hierarchy(s.triangles, s.x, settings);
 }
 
+/// Parts in another order, as threads may take them.
+const HostParts backwards{1, [](int count, const std::function<void(int, int)>& part) {
+                            for (int i = count; i-- > 0;) part(i, 0);
+                          }};
+
 TEST(BroadPhase, IsBruteForceOnTenThousandRandomScenes) {
   std::mt19937 random(11);
   std::uniform_int_distribution<int> count(0, 18);
@@ -54,6 +59,27 @@ TEST(BroadPhase, IsBruteForceOnTenThousandRandomScenes) {
     self.erase(std::remove_if(self.begin(), self.end(), [](const auto& p) { return p.first >= p.second; }),
                self.end());
     ASSERT_EQ(overlapping_pairs(ha, 0).pairs, self) << scene;
+  }
+}
+
+/// Three regions: 0 and 2 must not touch each other, nor 1 itself.
+TEST(BroadPhase, InPartsIsBruteForceOfWhatMayTouch) {
+  std::mt19937 random(13);
+  std::uniform_int_distribution<int> count(0, 40);
+  const auto may = [](int a, int b) { return a + b != 2; };
+  for (int scene = 0; scene < 2000; ++scene) {
+    const auto s = random_soup(random, 3 + count(random), count(random));
+    const double margin = scene % 5 ? 0.02 : 0;
+    const auto h = hierarchy_of(s, scene % 2 ? 2 : 4, margin);
+    std::vector<int> region;
+    for (std::size_t t = 0; t < s.triangles.size(); ++t) region.push_back(int(3 * t / s.triangles.size()));
+    Pairs expected = brute_force(s, s, margin), found;
+    std::erase_if(expected, [&](const auto& p) {
+      return p.first >= p.second || !may(region[at(p.first)], region[at(p.second)]);
+    });
+    PairSearch(h, region, may).find(h, 0, backwards, found);
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found, expected) << scene;
   }
 }
 
