@@ -9,6 +9,7 @@
 
 #include <glisson/core/load_curve.hpp>
 #include <glisson/core/mesh/mesh.hpp>
+#include <glisson/core/rigid_poses.hpp>
 
 namespace glisson {
 
@@ -157,7 +158,8 @@ struct RigidBody {
 };
 
 /// Rigid surface of triangles or quadrilaterals that nodes stay in front of, with Coulomb friction. The front
-/// is where the facets' normals point. It turns by Rx Ry Rz about `centre`, then shifts.
+/// is where the facets' normals point. It turns by Rx Ry Rz about `centre`, then shifts; or it follows a
+/// table of poses.
 struct RigidSurface {
   std::string name;
   SurfaceMesh surface;
@@ -166,6 +168,7 @@ struct RigidSurface {
   Vec3<double> angles;        ///< about x, y, z at amplitude 1 [rad]
   Vec3<double> centre;        ///< of the rotation, at rest [m]
   LoadCurve motion{LoadShape::ramp};
+  std::vector<RigidPose> poses;  ///< two or more: instead of displacement, angles and motion
   std::vector<int> nodes;  ///< nodes that may touch it; empty: all surface nodes
 };
 

@@ -97,6 +97,10 @@ SurfaceData surface_data(const SurfaceMesh& surface, const Vec3<double>& centre)
 }
 
 SurfacePose pose_at(const RigidSurface& surface, double t) {
+  if (!surface.poses.empty()) {
+    const RigidPose pose = pose_in(surface.poses, t);
+    return {matrix_of(pose.turn), pose.shift};
+  }
   const double amplitude = surface.motion(t);
   const Vec3<double> a = amplitude * surface.angles;
   const double ca = std::cos(a.x), sa = std::sin(a.x), cb = std::cos(a.y), sb = std::sin(a.y);

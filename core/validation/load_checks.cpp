@@ -153,6 +153,19 @@ void check_body(const LoadChecks& check, const RigidBody& body) {
   if (!(body.radius + body.radius_change >= 0)) refuse(check.where(), "its radius would become negative");
 }
 
+void check_poses(const LoadChecks& check, const std::vector<RigidPose>& poses) {
+  if (poses.size() == 1) refuse(check.where(), "its table has one pose, but a motion needs two or more");
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    check.is_finite(poses[i].time);
+    check.is_finite(poses[i].shift);
+    if (!(std::abs(length_of(poses[i].turn) - 1) < 1e-6))
+      refuse(check.where(), "the quaternion of pose " + std::to_string(i) + " does not have length 1");
+    if (i > 0 && !(poses[i].time > poses[i - 1].time))
+      refuse(check.where(), "the times of its poses do not increase: pose " + std::to_string(i) + " is at " +
+                                number_text(poses[i].time));
+  }
+}
+
 }  // namespace
 
 void check_loads(const Model& model, Warnings& warnings) {
@@ -164,6 +177,7 @@ void check_loads(const Model& model, Warnings& warnings) {
     check.curve(s.motion);
     for (const auto& v : {s.displacement, s.angles, s.centre}) check.is_finite(v);
     for (const auto& X : s.surface.X) check.is_finite(X);
+    check_poses(check, s.poses);
   });
   const bool moved = !model.displacements.empty() || !model.forces.empty() || !model.gravity.empty() ||
                      !model.pressures.empty() || !model.tractions.empty() || !model.springs.empty() ||

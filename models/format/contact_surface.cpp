@@ -1,5 +1,5 @@
 // ContactSurface: a rigid surface mesh, inline or from a file, that stands or moves.
-#include <glisson/models/format/reader.hpp>
+#include <glisson/models/format/pose_table.hpp>
 
 #include <glisson/core/mesh/surface.hpp>
 
@@ -74,7 +74,19 @@ std::vector<int> read_slaves(const XmlElement& element, const Mesh& mesh) {
   return nodes;
 }
 
+void read_pose_motion(const Reader& reader, const XmlElement& motion, RigidSurface& surface) {
+  surface.poses = read_poses(reader, motion);
+  if (const auto centre = motion.child("Centre")) surface.centre = vector_of(*centre);
+  if (!(surface.poses.back().time > 0) || !(surface.poses.front().time < reader.total_time))
+    reader.warn(motion, "all its times lie outside of the run, so the surface stands still");
+}
+
 void read_motion(const Reader& reader, const XmlElement& motion, RigidSurface& surface) {
+  if (motion.required_attribute("Type") == "Poses") return read_pose_motion(reader, motion, surface);
+  if (const auto attribute = motion.attribute("Rotation"))
+    motion.fail(attribute->line, "the attribute Rotation belongs to Type=\"Poses\"");
+  for (const auto name : {"TableFile", "Centre"})
+    if (const auto child = motion.child(name)) child->fail("it belongs to a Motion with Type=\"Poses\"");
   surface.motion = read_curve(reader, motion, "LoadShape", "Table", LoadShape::ramp);
   if (motion.required_attribute("Type") == "Translation") {
     surface.displacement = vector_of(motion);

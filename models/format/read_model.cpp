@@ -61,20 +61,25 @@ std::string Reader::find_file(const XmlElement& element, const std::string& path
                "' nor in the working directory '" + fs::current_path().string() + "'");
 }
 
+FileText Reader::text_in_file(const XmlElement& element, const std::string& path) const {
+  const auto found = find_file(element, path);
+  return {found, contents_of(found, element.place())};
+}
+
 std::vector<double> Reader::numbers_in_file(const XmlElement& element, const std::string& path,
                                             std::size_t most) const {
-  const auto found = find_file(element, path);
-  const XmlText text{contents_of(found, element.place()), 1};
+  const auto [found, content] = text_in_file(element, path);
+  const XmlText text{content, 1};
   std::vector<double> values;
-  for_each_token(text, [&](std::string_view token, int line) {
+  for_each_token(text, [&, path = found](std::string_view token, int line) {
     const auto value = to_number(token);
     if (!value)
       throw Error(ErrorKind::input, "'" + std::string(token.substr(0, 40)) + "' is not a finite number",
-                  {found, line, ""});
+                  {path, line, ""});
     if (values.size() == most)
       throw Error(ErrorKind::input,
                   "the file holds more than the " + std::to_string(most) + " values that are needed",
-                  {found, line, ""});
+                  {path, line, ""});
     values.push_back(*value);
   });
   return values;

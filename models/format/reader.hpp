@@ -17,6 +17,11 @@
 
 namespace glisson::detail {
 
+struct FileText {
+  std::string path;  ///< as it was found
+  std::string text;
+};
+
 /// Settings of one reading and of the whole file that its parts need.
 class Reader {
  public:
@@ -32,6 +37,8 @@ class Reader {
   /// Beside the simulation file, else in the working directory (with a warning), else an error that names
   /// both.
   std::string find_file(const XmlElement& element, const std::string& path) const;
+  /// The file that find_file finds, whole.
+  FileText text_in_file(const XmlElement& element, const std::string& path) const;
   /// Whole text of a file of numbers, at most `most` of them.
   std::vector<double> numbers_in_file(const XmlElement& element, const std::string& path,
                                       std::size_t most) const;

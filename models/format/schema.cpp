@@ -90,8 +90,9 @@ constexpr std::array rules{
     ElementRule{"TiedSurfaces", "A B Distance", ""},
     ElementRule{
         "Motion",
-        "Type:Translation,Rotation LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",
-        "Table=Value", true},
+        "Type:Translation,Rotation,Poses LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime "
+        "Rotation:Vector,Quaternion,None",
+        "Table=Value TableFile=Value Centre=Value", true},
     ElementRule{"Output", "Freq", "Variable=Value*"},
     ElementRule{
         "SystemParams", "",

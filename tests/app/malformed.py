@@ -102,6 +102,10 @@ REPLACED = [
     ("contact_surface_away", "<SystemParams>", floor("0 2 1")),
     ("contact_surface_twice", "<SystemParams>", floor("0 1 2  0 2 1", 2)),
     ("contact_surface_friction", "<SystemParams>", floor("0 1 2", 1, "<FrictionCoefficient> -0.1 </FrictionCoefficient>")),
+    ("contact_surface_poses", "<SystemParams>", floor("0 1 2", 1,
+     '<Motion Type="Poses"><Table> 0 0 0 0 0 0 0  0 0 0 1 0 0 0 </Table></Motion>')),
+    ("contact_surface_pose_file", "<SystemParams>", floor("0 1 2", 1,
+     '<Motion Type="Poses"><TableFile> nowhere.csv </TableFile></Motion>')),
     ("reduced_basis", "<SystemParams>", '<ReducedBasis NumVectors="1"/><SystemParams>'),
     ("plate_in_the_box", "<SystemParams>", "<ContactPlate><a> -1 -1 0.05 </a><b> -1 1 0.05 </b><c> 1 -1 0.05 </c>"
      "</ContactPlate><SystemParams>"),

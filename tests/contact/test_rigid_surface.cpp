@@ -1,14 +1,10 @@
 // Rigid surface meshes: nodes end each step in front of them, friction, no tunnelling, motion, restart.
-#include <glisson/contact/surface/rigid_surfaces.hpp>
-
-#include <cmath>
 #include <numeric>
 
 #include <glisson/core/mesh/box_mesh.hpp>
 #include <glisson/core/mesh/surface.hpp>
 
-#include "tests/contact/free_nodes.hpp"
-#include "tests/contact/surfaces.hpp"
+#include "tests/contact/surface_scene.hpp"
 
 namespace glisson::contact {
 namespace {
@@ -17,47 +13,8 @@ template <class C>
 struct RigidSurfaces : ::testing::Test {};
 TYPED_TEST_SUITE(RigidSurfaces, BenchCases);
 
-RigidSurface surface_of(const TriangleSurface& s) {
-  RigidSurface surface;
-  surface.name = "test surface";
-  surface.surface.X = s.x;
-  for (const Triangle& t : s.triangles) surface.surface.facets.push_back({{t[0], t[1], t[2], -1}});
-  return surface;
-}
-/// Square [0, 4]^2 at z = 0 of 2 n^2 triangles, front along +z, turned about y by this angle.
-RigidSurface floor_of(int n = 4, double slope = 0) {
-  TriangleSurface s;
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j) {
-      const double x = 4.0 * i / n, y = 4.0 * j / n;
-      s.x.push_back({x * std::cos(slope), y, -x * std::sin(slope)});
-    }
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      const int a = i * (n + 1) + j, b = a + n + 1;
-      s.triangles.push_back({a, b, b + 1});
-      s.triangles.push_back({a, b + 1, a + 1});
-    }
-  return surface_of(s);
-}
-Model model_of(std::vector<Vec3<double>> X, RigidSurface surface) {
-  Model model;
-  model.mesh.X = std::move(X);
-  for (int n = 0; n < model.mesh.node_count(); ++n) surface.nodes.push_back(n);
-  model.surfaces = {std::move(surface)};
-  return model;
-}
-
 template <class C>
-struct Scene : FreeNodes<C> {
-  Scene(std::vector<Vec3<double>> X, RigidSurface surface, double mass = 1)
-      : FreeNodes<C>(model_of(std::move(X), std::move(surface)), mass,
-                     [](auto& backend, const Model& m, const Numbering& numbering) {
-                       Bodies<C> result;
-                       add_rigid_surfaces<BackendOf<C>, RealOf<C>>(backend, m, numbering, result);
-                       return result;
-                     }) {}
-};
+using Scene = SurfaceScene<C>;
 
 TYPED_TEST(RigidSurfaces, NodesFallOnAFloorAndStayOnIt) {
   Scene<TypeParam> scene({{1, 1, 0.3}, {2, 2, 0.1}, {3.3, 1.7, 0}, {5, 1, 0.1}, {1, 1, -3}}, floor_of());

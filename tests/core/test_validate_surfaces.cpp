@@ -52,6 +52,23 @@ const Case refused[] = {
     {"not finite", [](RigidSurface& s) { s.displacement.x = nan; }},
     {"not finite", [](RigidSurface& s) { s.angles.z = nan; }},
     {"not finite", [](RigidSurface& s) { s.centre.z = nan; }},
+    {"its table has one pose", [](RigidSurface& s) { s.poses = {{}}; }},
+    {"not finite",
+     [](RigidSurface& s) {
+       s.poses = {{}, {1, {0, nan, 0}, {1, 0, 0, 0}}};
+     }},
+    {"not finite",
+     [](RigidSurface& s) {
+       s.poses = {{nan, {}, {1, 0, 0, 0}}, {}};
+     }},
+    {"times of its poses do not increase: pose 1 is at 0",
+     [](RigidSurface& s) {
+       s.poses = {{}, {}};
+     }},
+    {"the quaternion of pose 1 does not have length 1",
+     [](RigidSurface& s) {
+       s.poses = {{}, {1, {}, {1, 0, 0, 0.1}}};
+     }},
     {"facet 0 names node 8, but its nodes are 0 to 7", [](RigidSurface& s) { facets(s)[0].nodes[0] = 8; }},
     {"facet 3 names node -5", [](RigidSurface& s) { facets(s)[3].nodes[1] = -5; }},
     {"facet 6 names node 1 twice",
