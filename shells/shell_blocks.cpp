@@ -69,12 +69,10 @@ class MirrorPlanes {
   std::multimap<int, std::size_t> planes_;
 };
 
-/// The section's direction where it is not normal to the triangle, else its first side.
-Vec3<double> first_axis(const Vec3<double>& d, const Vec3<double>& a, const Vec3<double>& normal) {
-  const double length = std::sqrt(dot(d, d));
-  if (!(length > 0)) return a;
+/// The section's direction; zero where it is normal to the triangle.
+Vec3<double> usable_direction(const Vec3<double>& d, const Vec3<double>& normal) {
   const auto in_plane = d - dot(d, normal) * normal;
-  return std::sqrt(dot(in_plane, in_plane)) > 1e-3 * length ? d : a;
+  return dot(in_plane, in_plane) > 1e-6 * dot(d, d) ? d : Vec3<double>{};
 }
 
 class ShellBuilder {
@@ -89,7 +87,9 @@ class ShellBuilder {
     Vec3<double> X[6];
     for (int a = 0; a < 3; ++a) X[a] = model_.mesh.X[at(t[at(a)])];
     const auto normal = unit(cross(X[1] - X[0], X[2] - X[0]));
-    const auto along = first_axis(section.direction_of(k), X[1] - X[0], normal);
+    block.along.push_back(usable_direction(section.direction_of(k), normal));
+    const auto& direction = block.along.back();
+    const auto along = dot(direction, direction) > 0 ? direction : X[1] - X[0];
     const double h = section.thickness_of(k);
     const auto axis = unit(along - dot(along, normal) * normal);
     block.frames.push_back({{axis, cross(normal, axis)}, normal});

@@ -22,6 +22,7 @@ struct HostShells {
   std::vector<Membrane::Constants<double>> membranes;   ///< [elements]
   std::vector<RotationFree::Constants<double>> shells;  ///< [elements]
   std::vector<SurfaceFrame> frames;                     ///< [elements]
+  std::vector<Vec3<double>> along;  ///< direction of the first axis; zero: the first side  [elements]
   std::vector<int> nodes;  ///< user's numbers; an image repeats the own node  [elements][3 or 6]
   /// Triangles of the patch of an element: itself and its neighbours, -1 where there is none  [elements][4]
   std::vector<int> patch;

@@ -4,8 +4,6 @@
 #include <cstring>
 #include <span>
 
-#include <glisson/core/kernels/patch_view.hpp>
-
 namespace glisson {
 namespace {
 
@@ -44,7 +42,8 @@ std::span<const int> nodes_of(const HostBlock<R>& block, int e) {
 
 /// Fills element_begin and counts in how many patches a node is.
 template <class R>
-HostPatches cut_block(const HostBlock<R>& block, NodeSet& set, std::vector<int>& patches_of_node) {
+HostPatches cut_block(const HostBlock<R>& block, int node_limit, NodeSet& set,
+                      std::vector<int>& patches_of_node) {
   HostPatches patches;
   auto close = [&](int end) {
     if (end > patches.element_begin.back()) patches.element_begin.push_back(end);
@@ -55,7 +54,7 @@ HostPatches cut_block(const HostBlock<R>& block, NodeSet& set, std::vector<int>&
   for (int e = 0; e < block.element_count; ++e) {
     const auto nodes = nodes_of(block, e);
     const bool full = e - patches.element_begin.back() == patch_threads(block.nodes_per_element);
-    if (full || set.count() + set.missing(nodes) > patch_node_limit) close(e);
+    if (full || set.count() + set.missing(nodes) > node_limit) close(e);
     for (const int n : nodes) set.add(n);
   }
   close(block.element_count);
@@ -151,11 +150,11 @@ class PatchWriter {
 }  // namespace
 
 template <class R>
-PatchCut cut_into_patches(const std::vector<HostBlock<R>>& blocks, int node_count) {
+PatchCut cut_into_patches(const std::vector<HostBlock<R>>& blocks, int node_count, int node_limit) {
   PatchCut cut;
   NodeSet set(node_count);
   std::vector<int> patches_of_node(at(node_count), 0);
-  for (const auto& block : blocks) cut.blocks.push_back(cut_block(block, set, patches_of_node));
+  for (const auto& block : blocks) cut.blocks.push_back(cut_block(block, node_limit, set, patches_of_node));
   cut.shared = number_shared(patches_of_node);
   std::vector<int> next_slot(cut.shared.begin.begin(), cut.shared.begin.end() - 1);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -197,8 +196,8 @@ std::vector<R> inverse_volumes(const std::vector<HostBlock<R>>& blocks, int node
   return inverse;
 }
 
-template PatchCut cut_into_patches(const std::vector<HostBlock<float>>&, int);
-template PatchCut cut_into_patches(const std::vector<HostBlock<double>>&, int);
+template PatchCut cut_into_patches(const std::vector<HostBlock<float>>&, int, int);
+template PatchCut cut_into_patches(const std::vector<HostBlock<double>>&, int, int);
 template std::vector<std::byte> interleaved(const HostBlock<float>&);
 template std::vector<std::byte> interleaved(const HostBlock<double>&);
 template std::vector<float> inverse_volumes(const std::vector<HostBlock<float>>&, int);

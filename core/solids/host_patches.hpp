@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glisson/core/kernels/patch_view.hpp>
 #include <glisson/core/solids/host_blocks.hpp>
 
 namespace glisson {
@@ -35,10 +36,11 @@ struct PatchCut {
 };
 
 /// Consecutive elements in the order of the blocks; a patch is full at patch_threads() elements or
-/// patch_node_limit nodes. Its nodes: those of this patch only, then the shared ones, each by falling number
+/// node_limit nodes. Its nodes: those of this patch only, then the shared ones, each by falling number
 /// of elements, so that neighbouring threads sum equally many rows.
 template <class R>
-PatchCut cut_into_patches(const std::vector<HostBlock<R>>& blocks, int node_count);
+PatchCut cut_into_patches(const std::vector<HostBlock<R>>& blocks, int node_count,
+                          int node_limit = patch_node_limit);
 
 /// E::Constants<R> [element_count] as [constant][element_count].
 template <class R>

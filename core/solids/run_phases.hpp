@@ -24,19 +24,19 @@ struct PhaseRunner {
   struct OnePhase {
     Body body;
     PatchPhase phase;
-    R* memory;  ///< [patch_count][PatchMemory::size(stride)]
+    R* memory;  ///< [patch_count][memory_size]
     void operator()(int i) const {
       const int p = i / Body::threads;
       run_phase(body, phase, p, i % Body::threads,
-                memory + std::size_t(p) * PatchMemory<R>::size(body.patches.stride));
+                memory + std::size_t(p) * Body::memory_size(body.patches.stride));
     }
   };
   /// Values of memory that run() needs for these patches.
-  template <class R>
+  template <class Body, class R>
   static std::size_t memory_size(const PatchView<R>& patches) {
-    return std::size_t(patches.patch_count) * PatchMemory<R>::size(patches.stride);
+    return std::size_t(patches.patch_count) * Body::memory_size(patches.stride);
   }
-  /// Body: with members patches, load, evaluate and sum, and threads per patch.
+  /// Body: with members patches, load, evaluate and sum, threads per patch and memory_size(stride).
   template <class R, class Body>
   static void run(B& backend, const Body& body, R* memory) {
     for (const PatchPhase phase : {PatchPhase::load, PatchPhase::evaluate, PatchPhase::sum})

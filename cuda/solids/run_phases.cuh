@@ -8,14 +8,14 @@ namespace glisson {
 
 template <>
 struct PhaseRunner<Cuda> {
-  template <class R>
+  template <class Body, class R>
   static std::size_t memory_size(const PatchView<R>&) {
     return 0;
   }
   template <class R, class Body>
   static void run(Cuda& backend, const Body& body, R*) {
     if (body.patches.patch_count == 0) return;
-    const std::size_t bytes = PatchMemory<R>::size(body.patches.stride) * sizeof(R);
+    const std::size_t bytes = Body::memory_size(body.patches.stride) * sizeof(R);
     backend.launch(body.patches.patch_count, Body::threads, bytes, detail::patch_kernel<R, Body>, body);
   }
 };

@@ -42,10 +42,12 @@ struct Membrane {
     return R(0);
   }
 
-  /// along: direction of the first axis, not normal to the triangle.
-  static Constants<double> make(const Vec3<double> (&X)[3], const Vec3<double>& along, double thickness) {
+  /// along: direction of the first axis, not normal to the triangle. X from any origin near by.
+  template <class R>
+  GLISSON_HD_INLINE static Constants<R> make(const Vec3<R> (&X)[3], const Vec3<R>& along,
+                                             const R& thickness) {
     const auto a = X[1] - X[0], b = X[2] - X[0], N = cross(a, b);
-    return {surface_point(a, b, along), 0.5 * ::sqrt(dot(N, N)) * thickness};
+    return {surface_point(a, b, along), R(0.5) * square_root(dot(N, N)) * thickness};
   }
 };
 

@@ -181,28 +181,37 @@ struct RotationFree {
     forces_of(c, q, stress(q.c), moments(c.bending, c.nu, q.chi), f);
   }
 
+  /// Sets what follows from the rest positions X, where an image repeats the node that it is the image of,
+  /// from any origin near by. bending: E h^3 / (12 (1 - nu^2)) [N m]. Images are set before.
+  template <class R, class C>
+  GLISSON_HD_INLINE static void set_rest(C& c, const Vec3<R> (&X)[6], const R& thickness, const R& bending) {
+    c.a = X[1] - X[0], c.b = X[2] - X[0];
+    const auto N = cross(c.a, c.b);
+    const R double_area = square_root(dot(N, N));
+    c.inverse_double_area = R(1) / double_area;
+    c.volume = R(0.5) * double_area * thickness;
+    c.bending = R(0.5) * double_area * bending;
+    for (int s = 0; s < 3; ++s) c.across[s] = across(c, X, s);
+  }
+
   /// X: rest positions; those of images are not read. mirror: normal of the plane of each side that has one;
-  /// bending: E h^3 / (12 (1 - nu^2)) [N m].
+  /// bending as for set_rest().
   static Constants<double> make(const Vec3<double> (&X)[6], const Across (&across)[3],
                                 const Vec3<double> (&mirror)[3], const Vec3<double>& along, double thickness,
                                 double bending, double nu) {
     Constants<double> c{};
-    c.a = X[1] - X[0], c.b = X[2] - X[0];
-    const auto N = cross(c.a, c.b);
-    const double double_area = ::sqrt(dot(N, N));
-    c.inverse_double_area = 1 / double_area;
-    c.volume = 0.5 * double_area * thickness;
-    c.bending = 0.5 * double_area * bending;
     c.nu = nu;
+    Vec3<double> own[6];
+    for (int s = 0; s < 3; ++s) {
+      own[s] = X[s];
+      own[3 + s] = across[s] == Across::neighbour ? X[3 + s] : X[s];
+      if (across[s] == Across::mirror) c.image[s].mirror = mirror[s];
+      if (across[s] == Across::nothing) c.image[s].turned = 1;
+    }
+    set_rest(c, own, thickness, bending);
     const auto flat = surface_point(c.a, c.b, along);
     for (int s = 0; s < 3; ++s) {
-      const auto &X_j = X[(s + 1) % 3], &X_k = X[(s + 2) % 3];
-      const auto away = X[s] - 0.5 * (X_j + X_k);
-      c.across[s] = X[3 + s] - X[s];
-      if (across[s] == Across::mirror)
-        c.image[s].mirror = mirror[s], c.across[s] = -2 * dot(mirror[s], away) * mirror[s];
-      if (across[s] == Across::nothing) c.image[s].turned = 1, c.across[s] = -2.0 * away;
-      const auto point = surface_point(c.across[s], X_k - X_j, along);
+      const auto point = surface_point(c.across[s], X[(s + 2) % 3] - X[(s + 1) % 3], along);
       for (int i = 0; i < 4; ++i) c.g[s][i / 2][i % 2] = point.g[i / 2][i % 2];
       if (s > 0)
         for (int l = 0; l < 2; ++l) c.dL[s - 1][l] = flat.g[s - 1][l];

@@ -49,20 +49,24 @@ GLISSON_HD_INLINE void on_differences(const R (&g)[2][2], const Vec3<R> (&P)[2],
   on_q = g[1][0] * P[0] + g[1][1] * P[1];
 }
 
-inline Vec3<double> unit(const Vec3<double>& v) { return (1 / ::sqrt(dot(v, v))) * v; }
+template <class R>
+GLISSON_HD_INLINE Vec3<R> unit(const Vec3<R>& v) {
+  return (R(1) / square_root(dot(v, v))) * v;
+}
 
 /// The point from the differences of the rest positions; the first axis is `along`, projected.
-inline SurfacePoint<double> surface_point(const Vec3<double>& X_p, const Vec3<double>& X_q,
-                                          const Vec3<double>& along) {
-  SurfacePoint<double> point{};
+template <class R>
+GLISSON_HD_INLINE SurfacePoint<R> surface_point(const Vec3<R>& X_p, const Vec3<R>& X_q,
+                                                const Vec3<R>& along) {
+  SurfacePoint<R> point{};
   const auto n = unit(cross(X_p, X_q));
   point.t[0] = unit(along - dot(along, n) * n);
   point.t[1] = cross(n, point.t[0]);
-  const double a = dot(X_p, point.t[0]), b = dot(X_p, point.t[1]), c = dot(X_q, point.t[0]),
-               d = dot(X_q, point.t[1]);
-  const double det = a * d - b * c;
-  point.g[0][0] = d / det, point.g[0][1] = -c / det;
-  point.g[1][0] = -b / det, point.g[1][1] = a / det;
+  const R a = dot(X_p, point.t[0]), b = dot(X_p, point.t[1]), c = dot(X_q, point.t[0]),
+          d = dot(X_q, point.t[1]);
+  const R one_over_det = R(1) / (a * d - b * c);
+  point.g[0][0] = one_over_det * d, point.g[0][1] = R(0) - one_over_det * c;
+  point.g[1][0] = R(0) - one_over_det * b, point.g[1][1] = one_over_det * a;
   return point;
 }
 

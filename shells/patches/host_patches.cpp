@@ -1,7 +1,6 @@
 #include <glisson/shells/patches/host_patches.hpp>
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 
 namespace glisson::shells {
@@ -9,16 +8,60 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-template <class R, template <class> class Constants>
-void append(const std::vector<Constants<double>>& all, const std::vector<int>& order,
-            std::vector<std::byte>& bytes) {
-  if (all.empty()) return;
-  bytes.resize(order.size() * sizeof(Constants<R>));
-  std::byte* to = bytes.data();
-  for (const int k : order) {
-    const auto own = narrowed<R, Constants>(all[at(k)]);
-    std::memcpy(to, &own, sizeof own);
-    to += sizeof own;
+/// One value in place of many equal ones.
+template <class T, class Equal>
+void shorten(std::vector<T>& values, Equal&& equal) {
+  const bool same =
+      std::all_of(values.begin(), values.end(), [&](const T& v) { return equal(v, values.front()); });
+  if (same && !values.empty()) values.resize(1);
+}
+
+/// The middle of the box around the nodes of a patch: what is small against it would be lost in float.
+Vec3<double> middle(const std::vector<Vec3<double>>& X) {
+  Vec3<double> low = X.front(), high = X.front();
+  for (const auto& x : X) {
+    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+  }
+  return 0.5 * (low + high);
+}
+
+/// [3][place_count]
+template <class R>
+std::vector<R> rest_positions(const HostPatches& patches, const Mesh& mesh, const Numbering& numbering) {
+  const std::size_t count = patches.node.size();
+  std::vector<R> X(3 * count);
+  for (int p = 0; p < patches.patch_count(); ++p) {
+    const std::size_t first = at(patches.node_begin[at(p)]), last = at(patches.node_begin[at(p) + 1]);
+    std::vector<Vec3<double>> of_patch;
+    for (std::size_t i = first; i < last; ++i)
+      of_patch.push_back(mesh.X[at(numbering.user_of_internal[at(patches.node[i])])]);
+    const Vec3<double> origin = middle(of_patch);
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec3<double> x = of_patch[i - first] - origin;
+      X[i] = R(x.x), X[count + i] = R(x.y), X[2 * count + i] = R(x.z);
+    }
+  }
+  return X;
+}
+
+/// Of RotationFree: [16][element_count] and [12][element_count].
+template <class R>
+void store_shells(const HostShells& host, const std::vector<int>& order, HostRest<R>& rest) {
+  const std::size_t count = order.size();
+  rest.gradients.resize(16 * count), rest.images.resize(12 * count);
+  for (std::size_t e = 0; e < count; ++e) {
+    const auto& c = host.shells[at(order[e])];
+    std::size_t k = e;
+    const auto next = [&](std::vector<R>& to, double value) { to[k] = R(value), k += count; };
+    for (const auto& side : c.g)
+      for (const auto& row : side)
+        for (const double g : row) next(rest.gradients, g);
+    for (const auto& row : c.dL)
+      for (const double g : row) next(rest.gradients, g);
+    k = e;
+    for (const auto& [mirror, turned] : c.image)
+      for (const double number : {mirror.x, mirror.y, mirror.z, turned}) next(rest.images, number);
   }
 }
 
@@ -43,12 +86,31 @@ HostBlock<R> patch_block(const HostShells& host, const std::vector<int>& order, 
   for (const int k : order)
     for (int a = 0; a < host.slots(); ++a)
       block.nodes.push_back(numbering.internal_of_user[at(host.nodes[at(k * host.slots() + a)])]);
-  append<R, Membrane::Constants>(host.membranes, order, block.constants);
-  append<R, RotationFree::Constants>(host.shells, order, block.constants);
   return block;
+}
+
+template <class R>
+HostRest<R> make_rest(const HostShells& host, const std::vector<int>& order, const HostPatches& patches,
+                      const Mesh& mesh, const Numbering& numbering) {
+  HostRest<R> rest;
+  rest.X = rest_positions<R>(patches, mesh, numbering);
+  for (const int k : order) {
+    const Vec3<double>& along = host.along[at(k)];
+    rest.thickness.push_back(R(host.section->thickness_of(at(k))));
+    rest.along.push_back({R(along.x), R(along.y), R(along.z)});
+  }
+  shorten(rest.thickness, [](R a, R b) { return a == b; });
+  shorten(rest.along,
+          [](const Vec3<R>& a, const Vec3<R>& b) { return a.x == b.x && a.y == b.y && a.z == b.z; });
+  if (host.bends()) store_shells(host, order, rest);
+  return rest;
 }
 
 template HostBlock<float> patch_block(const HostShells&, const std::vector<int>&, const Numbering&);
 template HostBlock<double> patch_block(const HostShells&, const std::vector<int>&, const Numbering&);
+template HostRest<float> make_rest(const HostShells&, const std::vector<int>&, const HostPatches&,
+                                   const Mesh&, const Numbering&);
+template HostRest<double> make_rest(const HostShells&, const std::vector<int>&, const HostPatches&,
+                                    const Mesh&, const Numbering&);
 
 }  // namespace glisson::shells

@@ -3,17 +3,33 @@
 
 #include <vector>
 
+#include <glisson/core/model.hpp>
 #include <glisson/core/numbering.hpp>
-#include <glisson/core/solids/host_blocks.hpp>
+#include <glisson/core/solids/host_patches.hpp>
 #include <glisson/shells/shell_blocks.hpp>
 
 namespace glisson::shells {
 
+/// Nodes of a patch at most: with seven values per node and those of the rows, 48 KiB in double, as
+/// patch_node_limit.
+constexpr int shell_patch_node_limit = 416;
+
 /// The places of the triangles of a section along the space-filling curve  [elements].
 std::vector<int> locality_order(const ShellSection& section, const Numbering& numbering);
 
-/// Only nodes and constants [element_count] are filled, in that order.
+/// Only the nodes are filled, in that order.
 template <class R>
 HostBlock<R> patch_block(const HostShells& host, const std::vector<int>& order, const Numbering& numbering);
+
+/// The arrays of SectionRest; thickness and along have one value where all triangles have the same.
+template <class R>
+struct HostRest {
+  std::vector<R> X, thickness, gradients, images;
+  std::vector<Vec3<R>> along;
+};
+
+template <class R>
+HostRest<R> make_rest(const HostShells& host, const std::vector<int>& order, const HostPatches& patches,
+                      const Mesh& mesh, const Numbering& numbering);
 
 }  // namespace glisson::shells

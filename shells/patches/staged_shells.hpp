@@ -38,36 +38,64 @@ class SharedArrays {
   Buffer<Vec4<R>> force_;
 };
 
+/// What a section keeps of the rest state.
+template <Backend B, class R>
+class RestArrays {
+ public:
+  RestArrays(B& backend, const ShellSection& section, const HostRest<R>& rest)
+      : X_(detail::upload(backend, rest.X)),
+        thickness_(detail::upload(backend, rest.thickness)),
+        gradients_(detail::upload(backend, rest.gradients)),
+        images_(detail::upload(backend, rest.images)),
+        along_(detail::upload(backend, rest.along)) {
+    const double nu = section.bending_nu;
+    view_ = {X_.get(), thickness_.get(), along_.get(), gradients_.get(), images_.get()};
+    view_.place_count = static_cast<int>(rest.X.size() / 3);
+    view_.element_count = static_cast<int>(section.elements.size());
+    view_.thickness_stride = rest.thickness.size() > 1, view_.along_stride = rest.along.size() > 1;
+    view_.plate = R(section.bending_E / (12 * (1 - nu * nu))), view_.nu = R(nu);
+    bytes_ =
+        (rest.X.size() + rest.thickness.size() + rest.gradients.size() + rest.images.size()) * sizeof(R) +
+        rest.along.size() * sizeof(Vec3<R>);
+  }
+  const SectionRest<R>& view() const { return view_; }
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  Buffer<R> X_, thickness_, gradients_, images_;
+  Buffer<Vec3<R>> along_;
+  SectionRest<R> view_;
+  std::size_t bytes_;
+};
+
 /// One section with its element and law as types.
 template <Backend B, class R, class E, class L>
 class PatchShellBlock final : public ShellBlock<B, R> {
  public:
-  /// order: of the elements of host, see locality_order(); memory: see PhaseRunner.
-  PatchShellBlock(B& backend, const ShellSection& section, std::vector<int> order, const HostBlock<R>& host,
-                  const HostPatches& patches, const Buffer<R>& memory)
+  using Forces = ShellPatchForces<R, E, L>;
+  /// order: of the elements in the patches, see locality_order(); memory: see PhaseRunner.
+  PatchShellBlock(B& backend, const ShellSection& section, std::vector<int> order, const HostPatches& patches,
+                  const HostRest<R>& rest, const Buffer<R>& memory)
       : ShellBlock<B, R>({backend, section.prony, std::move(order)}),
         backend_(backend),
         memory_(memory),
         arrays_(backend, patches, view_),
-        constants_(detail::upload(backend, interleaved(host))),
+        rest_(backend, section, rest),
         law_(law_of_section<R, L>(section)),
         wrinkling_(section.wrinkling) {
-    view_.block.constants = constants_.get();
-    view_.block.element_count = host.element_count;
+    view_.block.element_count = static_cast<int>(section.elements.size());
   }
 
-  void forces(const StepView<R>& step) override {
-    run(ShellPatchForces<R, E, L>{body({step.u, step.f, step.advance})});
-  }
+  void forces(const StepView<R>& step) override { run(Forces{body({step.u, step.f, step.advance})}); }
   void energy(const StepView<R>& step) override {
     run(ShellPatchEnergy<R, E, L>{body({step.u, step.f, false})});
   }
   PatchView<R>& view() { return view_; }
-  std::size_t bytes() const { return arrays_.bytes(); }
+  std::size_t bytes() const { return arrays_.bytes() + rest_.bytes(); }
 
  private:
   ShellPatchBody<R, E, L> body(const PatchStep<R>& step) const {
-    return {{view_, step}, this->history().view(), law_, wrinkling_};
+    return {{view_, step}, rest_.view(), this->history().view(), law_, wrinkling_};
   }
   template <class Body>
   void run(const Body& body) {
@@ -78,9 +106,26 @@ class PatchShellBlock final : public ShellBlock<B, R> {
   const Buffer<R>& memory_;
   PatchView<R> view_;
   PatchArrays arrays_;
-  Buffer<std::byte> constants_;
+  RestArrays<B, R> rest_;
   L law_;
   bool wrinkling_;
+};
+
+/// All sections on the host: the order of their triangles, and their patches.
+template <class R>
+struct ShellCut {
+  std::vector<HostShells> hosts;
+  std::vector<std::vector<int>> orders;
+  PatchCut patches;
+
+  ShellCut(const Model& model, const Numbering& numbering) : hosts(make_shell_blocks(model)) {
+    std::vector<HostBlock<R>> blocks;
+    for (const HostShells& host : hosts) {
+      orders.push_back(locality_order(*host.section, numbering));
+      blocks.push_back(patch_block<R>(host, orders.back(), numbering));
+    }
+    patches = cut_into_patches(blocks, model.mesh.node_count(), shell_patch_node_limit);
+  }
 };
 
 template <Backend B, class R>
@@ -89,46 +134,34 @@ class StagedShells final : public SectionForces<B, R> {
   /// The backend must outlive this; the model need not.
   StagedShells(B& backend, const Model& model, const Numbering& numbering,
                std::unique_ptr<SolidForces<R>> solids)
-      : StagedShells(backend, model, numbering, std::move(solids), make_shell_blocks(model)) {}
+      : StagedShells(backend, model, numbering, std::move(solids), ShellCut<R>(model, numbering)) {}
 
  private:
-  /// Sections in the order of their patches.
-  struct Cut {
-    std::vector<std::vector<int>> orders;
-    std::vector<HostBlock<R>> blocks;
-    PatchCut patches;
-    Cut(const std::vector<HostShells>& hosts, const Numbering& numbering) {
-      for (const HostShells& host : hosts) {
-        orders.push_back(locality_order(*host.section, numbering));
-        blocks.push_back(patch_block<R>(host, orders.back(), numbering));
-      }
-      patches = cut_into_patches(blocks, static_cast<int>(numbering.internal_of_user.size()));
-    }
-  };
   StagedShells(B& backend, const Model& model, const Numbering& numbering,
-               std::unique_ptr<SolidForces<R>> solids, const std::vector<HostShells>& hosts)
-      : StagedShells(backend, model, std::move(solids), hosts, Cut(hosts, numbering)) {}
-  StagedShells(B& backend, const Model& model, std::unique_ptr<SolidForces<R>> solids,
-               const std::vector<HostShells>& hosts, Cut cut)
+               std::unique_ptr<SolidForces<R>> solids, const ShellCut<R>& cut)
       : SectionForces<B, R>(backend, element_count(model), std::move(solids)),
         shared_(backend, cut.patches.shared) {
-    std::size_t memory = 0;
     double* energy = this->energies();
-    for (std::size_t b = 0; b < hosts.size(); ++b) {
-      with_types<R>(hosts[b], [&]<class E, class L>(const auto&) {
-        auto block = std::make_unique<PatchShellBlock<B, R, E, L>>(backend, *hosts[b].section,
-                                                                   std::move(cut.orders[b]), cut.blocks[b],
-                                                                   cut.patches.blocks[b], memory_);
-        PatchView<R>& view = block->view();
-        shared_.connect(view);
-        view.block.energy = energy;
-        memory = std::max(memory, PhaseRunner<B>::memory_size(view));
-        this->bytes_ += block->bytes() + cut.blocks[b].constants.size();
-        this->add_block(std::move(block));
+    for (std::size_t b = 0; b < cut.hosts.size(); ++b) {
+      const HostShells& host = cut.hosts[b];
+      const auto rest = make_rest<R>(host, cut.orders[b], cut.patches.blocks[b], model.mesh, numbering);
+      with_types<R>(host, [&]<class E, class L>(const auto&) {
+        add(std::make_unique<PatchShellBlock<B, R, E, L>>(backend, *host.section, cut.orders[b],
+                                                          cut.patches.blocks[b], rest, memory_),
+            energy);
       });
-      energy += hosts[b].section->elements.size();
+      energy += host.section->elements.size();
     }
-    memory_ = detail::reserve<R>(backend, memory);
+    memory_ = detail::reserve<R>(backend, memory_size_);
+  }
+  template <class Block>
+  void add(std::unique_ptr<Block> block, double* energy) {
+    shared_.connect(block->view());
+    block->view().block.energy = energy;
+    using Forces = typename Block::Forces;
+    memory_size_ = std::max(memory_size_, PhaseRunner<B>::template memory_size<Forces>(block->view()));
+    this->bytes_ += block->bytes();
+    this->add_block(std::move(block));
   }
 
   void add_shell_forces(const StepView<R>& step) override {
@@ -137,6 +170,7 @@ class StagedShells final : public SectionForces<B, R> {
   }
 
   SharedArrays<B, R> shared_;
+  std::size_t memory_size_ = 0;
   Buffer<R> memory_;
 };
 

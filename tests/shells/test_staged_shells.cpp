@@ -91,7 +91,8 @@ constexpr double rounding() {
 
 /// A curved sheet of 2 x 23 x 19 triangles in several patches: one border clamped, one in a symmetry plane,
 /// two free. Every third triangle is in a second section, so that a rotation-free section has neighbours in
-/// another one; thickness differs from triangle to triangle in the first.
+/// another one; thickness, and the direction where there is one, differ from triangle to triangle in the
+/// first.
 Model curved_sheet(ShellSection first, const ShellSection& second) {
   Model model = sheet(
       23, 19,
@@ -107,6 +108,9 @@ Model curved_sheet(ShellSection first, const ShellSection& second) {
   ShellSection& varied = model.shells[0];
   for (std::size_t k = 0; k < varied.elements.size(); ++k)
     varied.element_thickness.push_back(varied.thickness * (1 + 0.02 * double(k % 20)));
+  if (varied.direction.x > 0)
+    for (std::size_t k = 0; k < varied.elements.size(); ++k)  // zero: the first side
+      varied.element_direction.push_back({double(k % 3), 0.3 * double(k % 2), 0});
   model.clamped_nodes = sheet_nodes(model, [](const auto& X) { return X.x < 1e-9; });
   SlidingPlane plane;
   plane.nodes = sheet_nodes(model, [](const auto& X) { return X.y > 0.08 - 1e-9; });
@@ -241,6 +245,12 @@ TEST(StagedShellState, EvaluationAloneLeavesTheHistory) {
   EXPECT_EQ(staged.get().history(), history);
   other.get().set_history(history);
   EXPECT_EQ(other.get().history(), history);
+}
+
+TEST(ShellPatches, FitTheMemoryThatEveryDeviceGivesABlock) {
+  using Body = shells::ShellPatchForces<double, shells::RotationFree, shells::Linear<double>>;
+  EXPECT_LE(Body::memory_size(shells::shell_patch_node_limit) * sizeof(double), 48u << 10);
+  EXPECT_GT(Body::memory_size(shells::shell_patch_node_limit + 32) * sizeof(double), 48u << 10);
 }
 
 }  // namespace
