@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glisson/core/backend.hpp>
+#include <glisson/core/chunk_sums.hpp>
 
 namespace glisson {
 namespace detail {
@@ -87,7 +88,12 @@ class EmulatedDevice {
     static_assert(std::is_trivially_copyable_v<F>, "what travels to a device is plain data");
     const std::vector<int> order = random_order(n);
     const detail::HeapAccess access(*heap_);
-    for (const int i : order) body(i);
+    for (const int i : order) {
+      if constexpr (SumsChunks<F>)
+        run_chunk_in_lanes(body, i);
+      else
+        body(i);
+    }
   }
   void* stream() { return nullptr; }
 

@@ -1,9 +1,11 @@
 // The backend for an NVIDIA GPU. Included only by .cu files.
 #pragma once
 
+#include <bit>
 #include <type_traits>
 
 #include <glisson/core/backend.hpp>
+#include <glisson/core/chunk_sums.hpp>
 #include <glisson/cuda/device.hpp>
 
 namespace glisson {
@@ -15,6 +17,30 @@ template <class F>
 __global__ void __launch_bounds__(threads_per_block) for_each_kernel(int n, F body) {
   const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
   if (i < n) body(i);
+}
+
+/// The value of the lane `distance` further on among `lanes` that share a chunk.
+template <class T>
+__device__ T shuffled_down(const T& value, int distance, int lanes) {
+  static_assert(sizeof(T) % sizeof(unsigned) == 0);
+  struct Words {
+    unsigned word[sizeof(T) / sizeof(unsigned)];
+  };
+  Words words = std::bit_cast<Words>(value);
+  for (unsigned& word : words.word) word = __shfl_down_sync(0xffffffffu, word, distance, lanes);
+  return std::bit_cast<T>(words);
+}
+
+/// Bodies that leave one sum per chunk: see core/chunk_sums.hpp, whose run_chunk_in_lanes is the twin.
+template <class F>
+__global__ void __launch_bounds__(threads_per_block) chunk_kernel(int n, F body) {
+  constexpr int lanes = chunk_lanes<F>;
+  const int thread = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
+  const int c = thread / lanes, lane = thread % lanes;
+  // chunks past the end take part in the shuffles of their warp
+  auto sum = c < n ? sum_of_entries(body, c, lane, lanes) : typename F::Sum{};
+  for (int step = lanes / 2; step > 0; step /= 2) F::join(sum, shuffled_down(sum, step, lanes));
+  if (lane == 0 && c < n) body.leave(c, sum);
 }
 
 }  // namespace cuda
@@ -51,7 +77,12 @@ class Cuda {
     static_assert(std::is_trivially_copyable_v<F>, "what travels to a device is plain data");
     if (n <= 0) return;
     constexpr int threads = cuda::threads_per_block;
-    launch((n - 1) / threads + 1, threads, 0, cuda::for_each_kernel<F>, n, body);
+    if constexpr (SumsChunks<F>) {
+      constexpr int chunks = threads / chunk_lanes<F>;
+      launch((n - 1) / chunks + 1, threads, 0, cuda::chunk_kernel<F>, n, body);
+    } else {
+      launch((n - 1) / threads + 1, threads, 0, cuda::for_each_kernel<F>, n, body);
+    }
   }
   /// Any kernel, in order with all others.
   template <class... Parameters>

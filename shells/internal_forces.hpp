@@ -22,6 +22,11 @@ class InternalForces : public SolidForces<R> {
     if (solids_) solids_->add_forces(step);
     add_shell_forces(step);
   }
+  SharedForces<R> add_all_but_shared(const StepView<R>& step) override {
+    const SharedForces<R> left = solids_ ? solids_->add_all_but_shared(step) : SharedForces<R>{};
+    add_shell_forces(step);
+    return left;
+  }
   double strain_energy(const StepView<R>& step) override {
     shell_energy_ = energy_of_shells(step);
     return (solids_ ? solids_->strain_energy(step) : 0) + shell_energy_;

@@ -64,6 +64,7 @@ if wanted tests; then
   check "errors of the runtime" 60 "$here/bin/test_cuda"
   check "matrix, scenarios" 400 "$here/bin/test_scenarios" '--gtest_filter=*Cuda*'
   check "matrix, shells" 200 "$here/bin/test_shells" '--gtest_filter=*Cuda*'
+  check "matrix, contact" 300 "$here/bin/test_contact" '--gtest_filter=*Cuda*'
 fi
 if wanted repeats; then
   GLISSON_REPEATS=100 check "same bits 100 times" 300 "$here/bin/test_scenarios" \

@@ -16,7 +16,7 @@ while [ $# -gt 0 ]; do
     *) echo "unknown option: $1" >&2; exit 2 ;;
   esac
 done
-programs=(app/glisson tests/test_cuda tests/test_scenarios tests/test_shells)
+programs=(app/glisson tests/test_cuda tests/test_scenarios tests/test_shells tests/test_contact)
 package=build-cuda/gpu-check
 
 build() {

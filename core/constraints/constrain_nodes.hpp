@@ -84,10 +84,11 @@ struct Reaction : LastForces<R> {
   CurveValues velocity;
   Stepper stepper;
 
-  GLISSON_HD Vec3<R> force(int i, int n) const {
-    const R inverse_mass = v[n].w;
-    if (!(inverse_mass > R(0))) return R(-1) * xyz(f[n]);
-    const Vec3<R> v_free = stepper.velocity(xyz(v[n]), xyz(f[n]), inverse_mass);
+  GLISSON_HD Vec3<R> force(int i, int n) const { return of(i, v[n], f[n]); }
+  GLISSON_HD Vec3<R> of(int i, const Vec4<R>& v_old, const Vec4<R>& f_all) const {
+    const R inverse_mass = v_old.w;
+    if (!(inverse_mass > R(0))) return R(-1) * xyz(f_all);
+    const Vec3<R> v_free = stepper.velocity(xyz(v_old), xyz(f_all), inverse_mass);
     const Vec3<R> change = list.constrain(i, v_free, velocity) - v_free;
     return (R(1) / (stepper.kick * inverse_mass)) * change;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <glisson/core/constraints/constrain_nodes.hpp>
+#include <glisson/core/kernels/complete_nodes.hpp>
 
 namespace glisson {
 
@@ -42,6 +43,25 @@ class Constraints {
     applied_ = amplitudes_;
   }
 
+  /// The same as part of a sweep over all nodes: reactions, their work and the constraint. The targets are
+  /// those of the step until finish() is called.
+  template <class Stepper>
+  NodeConstraints<R, Stepper> for_sweep(const StepView<R>& step, double t_next, const Stepper& stepper) {
+    if (count_ == 0) return {};
+    set_targets(t_next, step.dt);
+    return {entry_of_node_.get(),
+            {{last_.get()}, view(), step.v, step.f, rates(), stepper},
+            displacements(),
+            work_.half_dt(),
+            R(work_.share(step)),
+            sweep_work_.get()};
+  }
+  /// After the sweep.
+  void finish(const StepView<R>& step) {
+    applied_ = amplitudes_;
+    work_.finish(step);
+  }
+
   /// The displacement of constrained nodes at t_next, nothing else: for predictions.
   void place(Vec4<R>* u, double t_next, double dt) {
     if (count_ == 0) return;
@@ -55,11 +75,16 @@ class Constraints {
   }
 
   /// Work of the reactions since the start [J].
-  double work() const { return work_.total(); }
+  double work() const {
+    double sum = work_.total();
+    for (const double part : sweep_work()) sum += part;
+    return sum;
+  }
   std::vector<std::byte> save() const {
     detail::ByteWriter out;
     for (const double amplitude : applied_) out.value(amplitude);
     work_.save(out.buffer(backend_, last_, std::size_t(count_)));
+    out.buffer(backend_, sweep_work_, sweep_chunks());
     return out.take();
   }
   void load(std::span<const std::byte> bytes) {
@@ -67,6 +92,7 @@ class Constraints {
     for (double& amplitude : applied_) in.value(amplitude);
     in.buffer(backend_, last_, std::size_t(count_));
     work_.load(in);
+    in.buffer(backend_, sweep_work_, sweep_chunks());
     in.end();
   }
 
@@ -87,7 +113,22 @@ class Constraints {
         planes_(detail::upload(backend, list.planes)),
         many_(detail::zeros<double>(backend, 2 * curves_.size())),
         last_(detail::zeros<Vec4<R>>(backend, std::size_t(count_))),
-        work_(backend, count_) {}
+        work_(backend, count_) {
+    if (B::space == Space::host || count_ == 0) return;  // where launches cost nothing there is no sweep
+    std::vector<int> entry(std::size_t(node_count_), -1);
+    for (int i = 0; i < count_; ++i) entry[std::size_t(list.nodes[std::size_t(i)])] = i;
+    entry_of_node_ = detail::upload(backend, entry);
+    sweep_work_ = detail::zeros<double>(backend, sweep_chunks());
+  }
+
+  std::size_t sweep_chunks() const {
+    return entry_of_node_ ? std::size_t((node_count_ + node_energy_chunk - 1) / node_energy_chunk) : 0;
+  }
+  std::vector<double> sweep_work() const {
+    std::vector<double> host(sweep_chunks());
+    if (!host.empty()) backend_.copy_out(sweep_work_.get(), host.data(), host.size());
+    return host;
+  }
 
   void set_targets(double t_next, double dt) {
     for (std::size_t k = 0; k < curves_.size(); ++k) {
@@ -126,6 +167,8 @@ class Constraints {
   Buffer<double> many_;  ///< amplitudes, then rates, when there are many curves
   Buffer<Vec4<R>> last_;
   ListWork<B, R> work_;
+  Buffer<int> entry_of_node_;   ///< for sweeps, see NodeConstraints
+  Buffer<double> sweep_work_;   ///< done in sweeps [J]  [sweep_chunks()]
 };
 
 }  // namespace glisson

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include <glisson/core/chunk_sums.hpp>
 #include <glisson/core/tensor/tensor.hpp>
 
 namespace glisson {
@@ -22,8 +23,15 @@ struct AdvanceNodes {
   typename Stepper::Rows stepper;
   int node_count;
 
+  /// What a sweep sums besides energies: nothing here, see CompleteNodes.
+  struct Tally {};
+  GLISSON_HD static void join(Tally&, const Tally&) {}
+  GLISSON_HD void leave(int, const Tally&) const {}
+
   GLISSON_HD int node(int n) const { return n; }
+  GLISSON_HD const Vec4<R>& velocity(int n) const { return v[n]; }
   GLISSON_HD void operator()(int n) const { advance(n, v[n]); }
+  GLISSON_HD Vec4<R> advance(int n, const Vec4<R>& v_old, Tally&) const { return advance(n, v_old); }
   /// Returns the new v. All loads come before the stores: the arrays might overlap for all that a compiler
   /// knows.
   GLISSON_HD Vec4<R> advance(int n, const Vec4<R>& v_old) const {
@@ -84,62 +92,81 @@ struct NodeEnergies {
 /// AdvanceNodes over chunks of nodes, with the energies of the step. With KE(n) = sum m v(n-1/2).v(n+1/2) / 2
 /// the change of KE over a step is exactly (F(n) + F(n+1)) / 2 . (u(n+1) - u(n)), F all forces with damping:
 /// the balance of a linear system closes to round-off at any stable dt.
-template <class R, class Stepper>
+template <class R, class Stepper, class Nodes = AdvanceNodes<R, Stepper>>
 struct AdvanceNodesMonitored {
   static constexpr int chunk = node_energy_chunk, cost = 4 * chunk;
-  AdvanceNodes<R, Stepper> nodes;
+  Nodes nodes;
   NodeEnergies* energies;  ///< [ceil(node_count / chunk)]
   int node_count;
   double damping;   ///< [1/s]
   double dt;        ///< [s]
   bool first_step;  ///< nothing lies before t = 0
 
-  GLISSON_HD int node(int c) const { return c * chunk; }
-  GLISSON_HD void operator()(int c) const {
-    const int end = node_count < (c + 1) * chunk ? node_count : (c + 1) * chunk;
+  struct Sum {
     double kinetic = 0, before = 0, ahead = 0;
-    for (int n = c * chunk; n < end; ++n) {
-      const Vec4<R> a = nodes.v[n], b = nodes.advance(n, a);
-      if (!(a.w > R(0))) continue;  // massless nodes do not move
-      const double m = 1 / double(a.w);
-      const double ab = double(a.x * b.x + a.y * b.y + a.z * b.z),
-                   aa = double(a.x * a.x + a.y * a.y + a.z * a.z),
-                   bb = double(b.x * b.x + b.y * b.y + b.z * b.z);
-      kinetic += m * ab;
-      before += m * (aa + ab);
-      ahead += m * (ab + bb);
-    }
+    typename Nodes::Tally tally{};
+  };
+  GLISSON_HD int node(int c) const { return c * chunk; }
+  GLISSON_HD int entry_count() const { return node_count; }
+  GLISSON_HD void add(int n, Sum& sum) const {
+    const Vec4<R> a = nodes.velocity(n), b = nodes.advance(n, a, sum.tally);
+    if (!(a.w > R(0))) return;  // massless nodes do not move
+    const double m = 1 / double(a.w);
+    const double ab = double(a.x * b.x + a.y * b.y + a.z * b.z),
+                 aa = double(a.x * a.x + a.y * a.y + a.z * a.z),
+                 bb = double(b.x * b.x + b.y * b.y + b.z * b.z);
+    sum.kinetic += m * ab;
+    sum.before += m * (aa + ab);
+    sum.ahead += m * (ab + bb);
+  }
+  GLISSON_HD static void join(Sum& a, const Sum& b) {
+    a.kinetic += b.kinetic, a.before += b.before, a.ahead += b.ahead;
+    Nodes::join(a.tally, b.tally);
+  }
+  GLISSON_HD void leave(int c, const Sum& sum) const {
     NodeEnergies& e = energies[c];
     const double share =
         0.25 * damping * dt;  // damping force m alpha (a + b)/2 on the half paths dt a/2 and dt b/2
-    e.kinetic = 0.5 * kinetic;
-    e.damping += share * ((first_step ? 0 : before) + ahead);
-    e.damping_ahead = share * ahead;
+    e.kinetic = 0.5 * sum.kinetic;
+    e.damping += share * ((first_step ? 0 : sum.before) + sum.ahead);
+    e.damping_ahead = share * sum.ahead;
+    nodes.leave(c, sum.tally);
   }
+  GLISSON_HD void operator()(int c) const { run_chunk(*this, c); }
 };
 
 /// The same between two accounts: only the dissipation, m |a + b|^2 with a = v(n-1/2), b = v(n+1/2), goes on.
 /// The sum over a chunk is in R, lane by lane: a third of the time.
-template <class R, class Stepper>
+template <class R, class Stepper, class Nodes = AdvanceNodes<R, Stepper>>
 struct AdvanceNodesDamped {
   static constexpr int chunk = node_energy_chunk, cost = 2 * chunk;
-  AdvanceNodes<R, Stepper> nodes;
+  Nodes nodes;
   NodeEnergies* energies;  ///< [ceil(node_count / chunk)]
   int node_count;
   double damping;  ///< [1/s]
   double dt;       ///< [s]
 
+  struct Sum {
+    Vec4<R> squares{};
+    typename Nodes::Tally tally{};
+  };
   GLISSON_HD int node(int c) const { return c * chunk; }
-  GLISSON_HD void operator()(int c) const {
-    const int end = node_count < (c + 1) * chunk ? node_count : (c + 1) * chunk;
-    Vec4<R> sum{};
-    for (int n = c * chunk; n < end; ++n) {
-      const Vec4<R> a = nodes.v[n], both = a + nodes.advance(n, a);
-      const R mass = a.w > R(0) ? R(1) / a.w : R(0);
-      sum = sum + mass * (both * both);
-    }
-    energies[c].damping += 0.25 * damping * dt * (double(sum.x) + double(sum.y) + double(sum.z));
+  GLISSON_HD int entry_count() const { return node_count; }
+  GLISSON_HD void add(int n, Sum& sum) const {
+    const Vec4<R> a = nodes.velocity(n), both = a + nodes.advance(n, a, sum.tally);
+    const R mass = a.w > R(0) ? R(1) / a.w : R(0);
+    sum.squares = sum.squares + mass * (both * both);
   }
+  GLISSON_HD static void join(Sum& a, const Sum& b) {
+    a.squares = a.squares + b.squares;
+    Nodes::join(a.tally, b.tally);
+  }
+  GLISSON_HD void leave(int c, const Sum& sum) const {
+    const Vec4<R>& s = sum.squares;
+    energies[c].damping += 0.25 * damping * dt * (double(s.x) + double(s.y) + double(s.z));
+    nodes.leave(c, sum.tally);
+  }
+  GLISSON_HD void operator()(int c) const { run_chunk(*this, c); }
 };
 
 template <class R>

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include <glisson/core/kernels/element_forces.hpp>
+#include <glisson/core/kernels/shared_forces.hpp>
 
 namespace glisson {
 
@@ -135,19 +136,10 @@ GLISSON_HD void sum_pressure(const PatchView<R>& patches, int p, int t, int thre
 /// Over the shared nodes, after all patches of all blocks: adds the slots of each in their order.
 template <class R>
 struct AddSharedForces {
-  const int* nodes;           ///< internal number [shared_count]
-  const int* begin;           ///< first slot [shared_count + 1]
-  const Vec4<R>* slot_force;  ///< [N]  [slot_count]
-  Vec4<R>* f;                 ///< [N]  [node_count]
-  GLISSON_HD void operator()(int s) const {
-    Vec3<R> sum{R(0), R(0), R(0)};
-    for (int k = begin[s]; k < begin[s + 1]; ++k) {
-      const Vec4<R> g = slot_force[k];
-      sum.x = sum.x + g.x, sum.y = sum.y + g.y, sum.z = sum.z + g.z;
-    }
-    Vec4<R>& to = f[nodes[s]];
-    to = {to.x + sum.x, to.y + sum.y, to.z + sum.z, to.w};
-  }
+  const int* nodes;  ///< internal number [shared_count]
+  SharedForces<R> shared;
+  Vec4<R>* f;  ///< [N]  [node_count]
+  GLISSON_HD void operator()(int s) const { f[nodes[s]] = shared.add(s, f[nodes[s]]); }
 };
 
 }  // namespace glisson

@@ -3,6 +3,7 @@
 // threads.
 #pragma once
 
+#include <glisson/core/chunk_sums.hpp>
 #include <glisson/core/tensor/tensor.hpp>
 
 namespace glisson {
@@ -50,41 +51,42 @@ struct Copy {
 /// sums[c] = sum over the chunk of m a.b (mass-weighted) or a.b, free nodes only.
 template <class R>
 struct DotChunk {
-  static constexpr int cost = 2 * node_chunk;
+  static constexpr int chunk = node_chunk, cost = 2 * node_chunk;
+  using Sum = double;
   const Vec4<R>*a, *b, *v;
   bool mass_weighted;
   int node_count;
   double* sums;  ///< [node_chunks(node_count)]
-  GLISSON_HD void operator()(int c) const {
-    const int end = node_count < (c + 1) * node_chunk ? node_count : (c + 1) * node_chunk;
-    double sum = 0;
-    for (int n = c * node_chunk; n < end; ++n) {
-      if (!(v[n].w > R(0))) continue;
-      const double d =
-          double(a[n].x) * double(b[n].x) + double(a[n].y) * double(b[n].y) + double(a[n].z) * double(b[n].z);
-      sum += mass_weighted ? d / double(v[n].w) : d;
-    }
-    sums[c] = sum;
+  GLISSON_HD int entry_count() const { return node_count; }
+  GLISSON_HD void add(int n, Sum& sum) const {
+    if (!(v[n].w > R(0))) return;
+    const double d =
+        double(a[n].x) * double(b[n].x) + double(a[n].y) * double(b[n].y) + double(a[n].z) * double(b[n].z);
+    sum += mass_weighted ? d / double(v[n].w) : d;
   }
+  GLISSON_HD static void join(Sum& to, const Sum& from) { to += from; }
+  GLISSON_HD void leave(int c, const Sum& sum) const { sums[c] = sum; }
+  GLISSON_HD void operator()(int c) const { run_chunk(*this, c); }
 };
 
 /// maxima[c] = largest |a_i|^2 in the chunk.
 template <class R>
 struct LargestChunk {
-  static constexpr int cost = node_chunk;
+  static constexpr int chunk = node_chunk, cost = node_chunk;
+  using Sum = double;
   const Vec4<R>* a;
   int node_count;
   double* maxima;  ///< [node_chunks(node_count)]
-  GLISSON_HD void operator()(int c) const {
-    const int end = node_count < (c + 1) * node_chunk ? node_count : (c + 1) * node_chunk;
-    double largest = 0;
-    for (int n = c * node_chunk; n < end; ++n) {
-      const double d =
-          double(a[n].x) * double(a[n].x) + double(a[n].y) * double(a[n].y) + double(a[n].z) * double(a[n].z);
-      largest = d > largest || d != d ? d : largest;  // a NaN stays
-    }
-    maxima[c] = largest;
+  GLISSON_HD int entry_count() const { return node_count; }
+  GLISSON_HD void add(int n, Sum& largest) const {
+    join(largest, double(a[n].x) * double(a[n].x) + double(a[n].y) * double(a[n].y) +
+                      double(a[n].z) * double(a[n].z));
   }
+  GLISSON_HD static void join(Sum& largest, const Sum& d) {
+    largest = d > largest || d != d ? d : largest;  // a NaN stays
+  }
+  GLISSON_HD void leave(int c, const Sum& largest) const { maxima[c] = largest; }
+  GLISSON_HD void operator()(int c) const { run_chunk(*this, c); }
 };
 
 }  // namespace glisson

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include <glisson/core/chunk_sums.hpp>
 #include <glisson/core/loads/provider_bytes.hpp>
 #include <glisson/core/loads/upload.hpp>
 
@@ -42,27 +43,29 @@ struct AddForcesWithWork {
   static constexpr int chunk = entries_per_sum, cost = 10 * chunk;
   AddForces<R, Rule> forces;
   const Vec4<R>* v;  ///< velocity at t - dt/2 [m/s]  [node_count]
-  double* work;      ///< [J]                         [ceil(entry_count / chunk)]
-  int entry_count;
+  double* work;      ///< [J]                         [ceil(count / chunk)]
+  int count;       ///< entries
   double half_dt;  ///< half of the step that ended now, 0 if none did [s]
   R share;         ///< share of this step's force that the next step counts [-]
   int node_count = forces.node_count;
 
+  using Sum = double;
   GLISSON_HD int node(int c) const { return forces.node(c * chunk); }
-  GLISSON_HD void operator()(int c) const {
-    const int end = entry_count < (c + 1) * chunk ? entry_count : (c + 1) * chunk;
-    double sum = 0;
-    for (int i = c * chunk; i < end; ++i) {
-      const int n = forces.node(i);
-      const Vec3<R> before = forces.rule.before(i, n);
-      const Vec3<R> g = forces.add(i);
-      sum += (double(before.x) + double(g.x)) * double(v[n].x) +
-             (double(before.y) + double(g.y)) * double(v[n].y) +
-             (double(before.z) + double(g.z)) * double(v[n].z);
-      forces.rule.remember(i, share * g);
-    }
+  GLISSON_HD int entry_count() const { return count; }
+  GLISSON_HD void add(int i, Sum& sum) const {
+    const int n = forces.node(i);
+    const Vec3<R> before = forces.rule.before(i, n);
+    const Vec3<R> g = forces.add(i);
+    sum += (double(before.x) + double(g.x)) * double(v[n].x) +
+           (double(before.y) + double(g.y)) * double(v[n].y) +
+           (double(before.z) + double(g.z)) * double(v[n].z);
+    forces.rule.remember(i, share * g);
+  }
+  GLISSON_HD static void join(Sum& a, const Sum& b) { a += b; }
+  GLISSON_HD void leave(int c, const Sum& sum) const {
     if (half_dt > 0) work[c] += half_dt * sum;
   }
+  GLISSON_HD void operator()(int c) const { run_chunk(*this, c); }
 };
 
 /// For rules whose last force must be stored; rules proportional to an amplitude compute it instead.

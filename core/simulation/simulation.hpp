@@ -54,10 +54,15 @@ class Simulation final : public AnySimulation {
  private:
   // simulation_step.ipp
   void one_step();
-  void add_forces(StepView<R>& view);
+  SharedForces<R> add_forces(StepView<R>& view, bool may_leave);
   void predict(const StepView<R>& view) const;
   void predict_and_touch(StepView<R>& view) const;
+  bool sweeps() const;
+  void sweep(const StepView<R>& view, const SharedForces<R>& left, bool energies);
+  void react_and_advance(StepView<R>& view, bool energies);
   void advance(bool energies);
+  template <class S, class Nodes>
+  void advance_with_energies(const Nodes& nodes, bool all);
   template <class F>
   void with_stepper(F&& use) const;
   StepView<R> make_view() const;

@@ -63,13 +63,19 @@ StepView<R> Simulation<B, R>::make_view() const {
   return view;
 }
 
+/// Returns what a sweep over the nodes has still to add; nothing unless it may be left.
 template <Backend B, class R>
-void Simulation<B, R>::add_forces(StepView<R>& view) {
-  parts_.solids->add_forces(view);
+SharedForces<R> Simulation<B, R>::add_forces(StepView<R>& view, bool may_leave) {
+  SharedForces<R> left;
+  if (may_leave)
+    left = parts_.solids->add_all_but_shared(view);
+  else
+    parts_.solids->add_forces(view);
   if (relaxation_) relaxation_->note_internal_force(step_);
   for (auto& load : parts_.loads) load->add_forces(view);
   for (auto& user : users_)
     if (!user->provider().needs_prediction()) user->add_forces(view);
+  return left;
 }
 
 template <Backend B, class R>
@@ -99,17 +105,59 @@ void Simulation<B, R>::advance(bool energies) {
     const AdvanceNodes<R, S> body{nodes_.u(), nodes_.v(), nodes_.f(), stepper.rows(), nodes_.count()};
     if (relaxation_)
       backend_.for_each(nodes_.count(), AdvanceNodesCompensated<R, S>{body, relaxation_->carry()});
-    else if (energies)
-      backend_.for_each(monitor_.chunk_count(),
-                        AdvanceNodesMonitored<R, S>{body, monitor_.chunks(), nodes_.count(),
-                                                    model_.time.damping, plan_.dt(), step_ == 0});
-    else if (model_.time.damping > 0)
-      backend_.for_each(
-          monitor_.chunk_count(),
-          AdvanceNodesDamped<R, S>{body, monitor_.chunks(), nodes_.count(), model_.time.damping, plan_.dt()});
+    else if (energies || model_.time.damping > 0)
+      advance_with_energies<S>(body, energies);
     else
       backend_.for_each(nodes_.count(), body);
   });
+}
+
+/// All energies of the step, or only what damping dissipates.
+template <Backend B, class R>
+template <class S, class Nodes>
+void Simulation<B, R>::advance_with_energies(const Nodes& nodes, bool all) {
+  const double damping = model_.time.damping, dt = plan_.dt();
+  const int chunks = monitor_.chunk_count(), count = nodes_.count();
+  if (all)
+    backend_.for_each(chunks, AdvanceNodesMonitored<R, S, Nodes>{nodes, monitor_.chunks(), count, damping, dt,
+                                                                 step_ == 0});
+  else
+    backend_.for_each(chunks,
+                      AdvanceNodesDamped<R, S, Nodes>{nodes, monitor_.chunks(), count, damping, dt});
+}
+
+/// Whether nothing but the node update needs the sum of all forces: then reactions, update and constraints
+/// are one sweep.
+template <Backend B, class R>
+bool Simulation<B, R>::sweeps() const {
+  return B::space == Space::device && !relaxation_ && parts_.bodies.empty();
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::sweep(const StepView<R>& view, const SharedForces<R>& left, bool energies) {
+  if constexpr (B::space == Space::device) {
+    with_stepper([&]<class S>(const S& stepper) {
+      const AdvanceNodes<R, S> update{nodes_.u(), nodes_.v(), nodes_.f(), stepper.rows(), nodes_.count()};
+      const CompleteNodes<R, S> nodes{
+          update, left, parts_.constraints->for_sweep(view, load_time(step_ + 1), stepper)};
+      if (energies || model_.time.damping > 0)
+        advance_with_energies<S>(nodes, energies);
+      else
+        backend_.for_each(monitor_.chunk_count(), CompleteNodesOnly<R, S>{nodes, nodes_.count()});
+    });
+    parts_.constraints->finish(view);
+  }
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::react_and_advance(StepView<R>& view, bool energies) {
+  predict_and_touch(view);
+  if (relaxation_) relaxation_->update(step_, plan_.dt());
+  const double t_next = load_time(step_ + 1);
+  if (view.monitor)
+    with_stepper([&](const auto& stepper) { parts_.constraints->add_reactions(view, t_next, stepper); });
+  advance(energies);
+  parts_.constraints->apply(nodes_.u(), nodes_.v(), t_next, plan_.dt());
 }
 
 template <Backend B, class R>
@@ -121,14 +169,11 @@ void Simulation<B, R>::one_step() {
   else if (capped_)  // Johnsen 2016, eq. 3.15, compares the energy of every step with the cap
     strain_energy_ = parts_.solids->strain_energy(make_view());
   StepView<R> view = make_view();
-  add_forces(view);
-  predict_and_touch(view);
-  if (relaxation_) relaxation_->update(step_, plan_.dt());
-  const double t_next = load_time(step_ + 1);
-  if (view.monitor)
-    with_stepper([&](const auto& stepper) { parts_.constraints->add_reactions(view, t_next, stepper); });
-  advance(due);
-  parts_.constraints->apply(nodes_.u(), nodes_.v(), t_next, plan_.dt());
+  const SharedForces<R> left = add_forces(view, sweeps());
+  if (sweeps())
+    sweep(view, left, due);
+  else
+    react_and_advance(view, due);
   if (due) account(view.t);
   ++step_;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <glisson/core/force_provider.hpp>
+#include <glisson/core/kernels/shared_forces.hpp>
 #include <glisson/core/model.hpp>
 #include <glisson/core/numbering.hpp>
 #include <glisson/core/result_fields.hpp>
@@ -16,6 +17,11 @@ template <class R>
 class SolidForces : public ForceProvider<R> {
  public:
   std::string_view name() const override { return "solids"; }
+  /// As add_forces(), but may leave parts to whoever visits the nodes next; says which.
+  virtual SharedForces<R> add_all_but_shared(const StepView<R>& step) {
+    this->add_forces(step);
+    return {};
+  }
   /// Energy of the laws (W itself) and of the hourglass control [J], for the displacement of `step`; sums in
   /// double.
   virtual double strain_energy(const StepView<R>& step) = 0;

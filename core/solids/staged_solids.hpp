@@ -20,7 +20,11 @@ class StagedSolids final : public SolidForces<R> {
   StagedSolids(B& backend, const Model& model, const Numbering& numbering);
 
   Space space() const override { return B::space; }
-  void add_forces(const StepView<R>& step) override;
+  void add_forces(const StepView<R>& step) override {
+    const SharedForces<R> left = add_all_but_shared(step);
+    backend_.for_each(shared_count_, AddSharedForces<R>{shared_nodes_.get(), left, step.f});
+  }
+  SharedForces<R> add_all_but_shared(const StepView<R>& step) override;
   double strain_energy(const StepView<R>& step) override {
     average_pressure(step);
     for (const Block& block : blocks_) run(block, block.kernels->energy, step, false);
@@ -68,7 +72,7 @@ class StagedSolids final : public SolidForces<R> {
   B& backend_;
   int element_count_ = 0, shared_count_ = 0;
   std::vector<Block> blocks_;
-  Buffer<int> shared_nodes_, shared_begin_;
+  Buffer<int> shared_nodes_, shared_begin_, shared_of_node_;
   Buffer<Vec4<R>> slot_force_;
   Buffer<R> slot_pressure_, nodal_pressure_, inverse_volume_;  ///< T4ANP only
   Buffer<double> energy_;
@@ -92,6 +96,7 @@ StagedSolids<B, R>::StagedSolids(B& backend, const Model& model, const Numbering
   shared_count_ = cut.shared.count();
   shared_nodes_ = upload(cut.shared.nodes);
   shared_begin_ = upload(cut.shared.begin);
+  shared_of_node_ = upload(cut.shared.shared_of_node);
   const auto slots = static_cast<std::size_t>(cut.shared.slot_count());
   slot_force_ = upload(std::vector<Vec4<R>>(slots));
   const auto inverse_volume = inverse_volumes(hosts, node_count);
@@ -138,14 +143,13 @@ void StagedSolids<B, R>::add_block(HostBlock<R> host, const HostPatches& patches
 }
 
 template <Backend B, class R>
-void StagedSolids<B, R>::add_forces(const StepView<R>& step) {
+SharedForces<R> StagedSolids<B, R>::add_all_but_shared(const StepView<R>& step) {
   average_pressure(step);
   for (Block& block : blocks_) {
     block.material.set_step(step.dt);
     run(block, block.kernels->forces, step, step.advance);
   }
-  backend_.for_each(shared_count_,
-                    AddSharedForces<R>{shared_nodes_.get(), shared_begin_.get(), slot_force_.get(), step.f});
+  return {shared_of_node_.get(), shared_begin_.get(), slot_force_.get()};
 }
 
 }  // namespace glisson

@@ -27,7 +27,7 @@ class GpuCheck(unittest.TestCase):
         with open(os.path.join(self.folder, "build.txt"), "w") as file:
             file.write("abc123\n90\n")
         self.program("glisson", GLISSON.format(gpu=GPU))
-        for name in "test_cuda", "test_scenarios", "test_shells":
+        for name in "test_cuda", "test_scenarios", "test_shells", "test_contact":
             self.program(name, GTEST + "\n" + PRECISION)
 
     def program(self, name, text):
