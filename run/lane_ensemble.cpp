@@ -5,18 +5,19 @@
 
 #include <glisson/core/base/error.hpp>
 #include <glisson/cpu/ensemble/lane_group.hpp>
-#include <glisson/cpu/serial.hpp>
 #include <glisson/cpu/team.hpp>
+#include <glisson/cpu/threads.hpp>
 #include <glisson/run/assemble.hpp>
 #include <glisson/run/ensembles.hpp>
 
 namespace glisson::detail {
 namespace {
 
+/// One thread each, with the node update in packs.
 std::unique_ptr<AnySimulation> make_member(const Model& model, std::unique_ptr<SolidForces<float>> solids) {
-  return assemble<Serial, float>(model, std::make_unique<Serial>(), "Ensemble float",
-                                 [&](Serial&, const Model&, const Numbering&) { return std::move(solids); },
-                                 make_plain_shells<Serial, float>);
+  return assemble<Threads, float>(model, std::make_unique<Threads>(1), "Ensemble float",
+                                  [&](Threads&, const Model&, const Numbering&) { return std::move(solids); },
+                                  make_plain_shells<Threads, float>);
 }
 
 class LaneEnsemble final : public AnyEnsemble {

@@ -35,9 +35,17 @@ struct T4 {
   /// f_a = -V P dN_a: the force of the element on its nodes.
   template <class R>
   GLISSON_HD static void nodal_forces(const Constants<R>& c, const Mat3<R>& P, Vec3<R> (&f)[4]) {
+    Mat3<R> T;  // -V P
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) T.m[i][k] = R(0) - c.volume * P.m[i][k];
+    forces_of(c, T, f);
+  }
+  /// f_a = T dN_a
+  template <class R>
+  GLISSON_HD static void forces_of(const Constants<R>& c, const Mat3<R>& T, Vec3<R> (&f)[4]) {
     for (int a = 0; a < 3; ++a) {
       auto row = [&](int i) {
-        return R(0) - c.volume * (P.m[i][0] * c.B[a][0] + P.m[i][1] * c.B[a][1] + P.m[i][2] * c.B[a][2]);
+        return T.m[i][0] * c.B[a][0] + T.m[i][1] * c.B[a][1] + T.m[i][2] * c.B[a][2];
       };
       f[a + 1] = {row(0), row(1), row(2)};
     }
