@@ -9,8 +9,8 @@
 
 namespace glisson {
 
-/// add(i, sum) does entry i and adds what it leaves to `sum`; join(a, b) adds b to a; leave(c, sum) stores the
-/// sum of chunk c. A Sum{} is empty. Entries are independent of each other.
+/// add(i, sum) does entry i and adds what it leaves to `sum`; join(a, b) adds b to a; leave(c, sum) stores
+/// the sum of chunk c. A Sum{} is empty. Entries are independent of each other.
 template <class F>
 concept SumsChunks = requires(const F& body, int i, typename F::Sum& sum, const typename F::Sum& other) {
   { F::chunk } -> std::convertible_to<int>;

@@ -15,9 +15,10 @@ namespace {
 
 /// One thread each, with the node update in packs.
 std::unique_ptr<AnySimulation> make_member(const Model& model, std::unique_ptr<SolidForces<float>> solids) {
-  return assemble<Threads, float>(model, std::make_unique<Threads>(1), "Ensemble float",
-                                  [&](Threads&, const Model&, const Numbering&) { return std::move(solids); },
-                                  make_plain_shells<Threads, float>);
+  return assemble<Threads, float>(
+      model, std::make_unique<Threads>(1), "Ensemble float",
+      [&](Threads&, const Model&, const Numbering&) { return std::move(solids); },
+      make_plain_shells<Threads, float>);
 }
 
 class LaneEnsemble final : public AnyEnsemble {

@@ -49,12 +49,9 @@ class Constraints {
   NodeConstraints<R, Stepper> for_sweep(const StepView<R>& step, double t_next, const Stepper& stepper) {
     if (count_ == 0) return {};
     set_targets(t_next, step.dt);
-    return {entry_of_node_.get(),
-            {{last_.get()}, view(), step.v, step.f, rates(), stepper},
-            displacements(),
-            work_.half_dt(),
-            R(work_.share(step)),
-            sweep_work_.get()};
+    return {entry_of_node_.get(), {{last_.get()}, view(), step.v, step.f, rates(), stepper},
+            displacements(),      work_.half_dt(),
+            R(work_.share(step)), sweep_work_.get()};
   }
   /// After the sweep.
   void finish(const StepView<R>& step) {
@@ -167,8 +164,8 @@ class Constraints {
   Buffer<double> many_;  ///< amplitudes, then rates, when there are many curves
   Buffer<Vec4<R>> last_;
   ListWork<B, R> work_;
-  Buffer<int> entry_of_node_;   ///< for sweeps, see NodeConstraints
-  Buffer<double> sweep_work_;   ///< done in sweeps [J]  [sweep_chunks()]
+  Buffer<int> entry_of_node_;  ///< for sweeps, see NodeConstraints
+  Buffer<double> sweep_work_;  ///< done in sweeps [J]  [sweep_chunks()]
 };
 
 }  // namespace glisson

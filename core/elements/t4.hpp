@@ -44,9 +44,7 @@ struct T4 {
   template <class R>
   GLISSON_HD static void forces_of(const Constants<R>& c, const Mat3<R>& T, Vec3<R> (&f)[4]) {
     for (int a = 0; a < 3; ++a) {
-      auto row = [&](int i) {
-        return T.m[i][0] * c.B[a][0] + T.m[i][1] * c.B[a][1] + T.m[i][2] * c.B[a][2];
-      };
+      auto row = [&](int i) { return T.m[i][0] * c.B[a][0] + T.m[i][1] * c.B[a][1] + T.m[i][2] * c.B[a][2]; };
       f[a + 1] = {row(0), row(1), row(2)};
     }
     f[0] = R(-1) * (f[1] + f[2] + f[3]);

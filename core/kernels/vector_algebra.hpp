@@ -79,8 +79,8 @@ struct LargestChunk {
   double* maxima;  ///< [node_chunks(node_count)]
   GLISSON_HD int entry_count() const { return node_count; }
   GLISSON_HD void add(int n, Sum& largest) const {
-    join(largest, double(a[n].x) * double(a[n].x) + double(a[n].y) * double(a[n].y) +
-                      double(a[n].z) * double(a[n].z));
+    join(largest,
+         double(a[n].x) * double(a[n].x) + double(a[n].y) * double(a[n].y) + double(a[n].z) * double(a[n].z));
   }
   GLISSON_HD static void join(Sum& largest, const Sum& d) {
     largest = d > largest || d != d ? d : largest;  // a NaN stays

@@ -44,7 +44,7 @@ struct AddForcesWithWork {
   AddForces<R, Rule> forces;
   const Vec4<R>* v;  ///< velocity at t - dt/2 [m/s]  [node_count]
   double* work;      ///< [J]                         [ceil(count / chunk)]
-  int count;       ///< entries
+  int count;         ///< entries
   double half_dt;  ///< half of the step that ended now, 0 if none did [s]
   R share;         ///< share of this step's force that the next step counts [-]
   int node_count = forces.node_count;

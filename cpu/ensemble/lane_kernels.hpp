@@ -131,7 +131,8 @@ GLISSON_FLATTEN void neo_hookean_forces(const LaneBlock& block, const LanePass& 
     load_element<W, T4>(block, pass, e, c, u);
     const float* p = parameters_of<W>(block, e);
     // -V P, in which the parameters are factors: two products instead of eighteen
-    const NeoHookean<Pack<W>> law{Pack<W>(0) - c.volume * Pack<W>::load(p), Pack<W>(0) - c.volume * Pack<W>::load(p + W)};
+    const NeoHookean<Pack<W>> law{Pack<W>(0) - c.volume * Pack<W>::load(p),
+                                  Pack<W>(0) - c.volume * Pack<W>::load(p + W)};
     T4::forces_of(c, law.first_pk(T4::displacement_gradient(c, u)), f);
     for (int a = 0; a < 4; ++a) add_vector<W>(pass.f, block.nodes[4 * e + a], f[a]);
   }

@@ -64,7 +64,8 @@ class CompleteNodesSweep : public testing::Test {
   }
   Rows rows(double a, double b, double w) const {
     Rows result;
-    for (int n = 0; n < count_; ++n) result.push_back({a * n, b - a * n, a * b * n, n == 5 ? 0.0 : w + n * w});
+    for (int n = 0; n < count_; ++n)
+      result.push_back({a * n, b - a * n, a * b * n, n == 5 ? 0.0 : w + n * w});
     return result;
   }
 
@@ -105,8 +106,8 @@ class CompleteNodesSweep : public testing::Test {
     device_.for_each(static_cast<int>(slots_.nodes.size()),
                      AddSharedForces<double>{nodes_.get(), shared, view.f});
     constraints.add_reactions(view, t_next, stepper);
-    device_.for_each(chunks, AdvanceNodesMonitored<double, Step>{update, energies, count_, damping, dt,
-                                                                 view.step == 0});
+    device_.for_each(
+        chunks, AdvanceNodesMonitored<double, Step>{update, energies, count_, damping, dt, view.step == 0});
     constraints.apply(update.u, update.v, t_next, dt);
   }
 
