@@ -29,7 +29,7 @@ class SharedArrays {
     view.shared_begin = begin_.get();
   }
   void add(B& backend, Vec4<R>* f) const {
-    backend.for_each(count_, AddSharedForces<R>{nodes_.get(), begin_.get(), force_.get(), f});
+    backend.for_each(count_, AddSharedForces<R>{nodes_.get(), {nullptr, begin_.get(), force_.get()}, f});
   }
 
  private:
