@@ -42,7 +42,7 @@ void refit_node(Hierarchy& h, int node, std::span<const Triangle> triangles, Nod
     h.cone[n] = leaf_cone(triangles[static_cast<std::size_t>(it.triangle)], x_next.empty() ? x : x_next);
     return;
   }
-  NormalCone cone = it.connected ? NormalCone{} : any_direction;
+  NormalCone cone = it.connected ? NormalCone{} : any_direction();
   for (const int c : it.child)
     if (c >= 0) cone = merged(cone, h.cone[static_cast<std::size_t>(c)], h.settings.cones);
   h.cone[n] = cone;

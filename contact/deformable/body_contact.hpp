@@ -2,13 +2,15 @@
 // a backend. Include it only where a backend is instantiated.
 //
 // A step: positions as predicted; one contact at most per slot; forces of all
-// contacts together. Candidates come from a bounding volume hierarchy on the host and hold until a node has
-// moved farther than `room`. All sums have a fixed order.
+// contacts together. Candidates come from a bounding volume hierarchy, which devices refit and search
+// themselves, and hold until a node has moved farther than `room`; the host lists them. All sums have a fixed
+// order.
 #pragma once
 
 #include <chrono>
 #include <memory>
 
+#include <glisson/contact/bvh/device_search.hpp>
 #include <glisson/contact/deformable/candidate_lists.hpp>
 #include <glisson/contact/deformable/start_overlap.hpp>
 #include <glisson/contact/deformable/surface_state.hpp>
@@ -17,6 +19,22 @@
 namespace glisson::contact {
 
 constexpr int contact_iterations = 16;
+
+/// Devices find the pairs themselves. The backend must outlive the result.
+template <Backend B>
+PairSource pair_source(B& backend, const ContactMesh& mesh, const ContactRules& rules,
+                       const Hierarchy& hierarchy) {
+  if constexpr (B::space == Space::host) {
+    return {};
+  } else {
+    const SearchRegions regions{mesh.region, static_cast<int>(mesh.part_of_region.size()),
+                                [&](int a, int b) { return rules.may_touch(a, b); }};
+    auto search = std::make_shared<DeviceSearch<B>>(backend, hierarchy, mesh.triangles, regions);
+    return [search](const std::vector<Vec3<double>>& x, double margin, double threshold, Pairs& found) {
+      search->find(x, margin, threshold, found);
+    };
+  }
+}
 
 template <Backend B, class R>
 class BodyContact final : public ForceProvider<R>, public ContactSource {
@@ -30,6 +48,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
         distances_(contact_distances(model.contact, mesh_)),
         search_(mesh_, rules_, distances_.reach),
         parts_(std::move(parts)),
+        pair_source_(pair_source(backend, mesh_, rules_, search_.hierarchy())),
         start_depth_(start_depth(mesh_, rules_, distances_, search_.hierarchy())),
         surface_(backend, mesh_, model, numbering),
         lists_(backend, mesh_),
@@ -91,7 +110,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   void list(const std::vector<int>& extra) {
     surface_.reference_to(x_);
     const double margin = room_ * distances_.swing + 0.5 * distances_.reach;
-    lists_.put(search_.find(x_, margin, parts_), extra, internal_);
+    lists_.put(search_.find(x_, margin, parts_, pair_source_), extra, internal_);
     listed_ = true;
   }
   /// motion: of the fastest node in the step [m]
@@ -127,6 +146,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   ContactDistances distances_;
   CandidateSearch search_;
   HostParts parts_;
+  PairSource pair_source_;
   double start_depth_;
   SurfaceState<B, R> surface_;
   CandidateLists<B, R> lists_;

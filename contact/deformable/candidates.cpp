@@ -86,7 +86,7 @@ void CandidateSearch::set_ridges() {
 }
 
 const Candidates& CandidateSearch::find(const std::vector<Vec3<double>>& x, double margin,
-                                        const HostParts& parts) {
+                                        const HostParts& parts, const PairSource& source) {
   const auto timed = [](double& seconds, auto&& stage) {
     const auto start = std::chrono::steady_clock::now();
     stage();
@@ -97,11 +97,11 @@ const Candidates& CandidateSearch::find(const std::vector<Vec3<double>>& x, doub
   parts_ = parts;
   hierarchy_.settings.margin = margin;
   timed(counts_.refit_seconds, [&] {
-    refit_hierarchy();
+    if (!source) refit_hierarchy();
     set_normals();
     set_ridges();
   });
-  timed(counts_.pair_seconds, [&] { find_pairs(); });
+  timed(counts_.pair_seconds, [&] { find_pairs(source); });
   timed(counts_.list_seconds, [&] {
     find_groups();
     find_edge_pairs();
@@ -110,12 +110,14 @@ const Candidates& CandidateSearch::find(const std::vector<Vec3<double>>& x, doub
   return found_;
 }
 
-void CandidateSearch::find_pairs() {
-  const int subtrees =
-      pair_search_.find(hierarchy_, rules_.any_self_contact() ? self_threshold : full_turn, parts_, pairs_);
+void CandidateSearch::find_pairs(const PairSource& source) {
+  const double threshold = rules_.any_self_contact() ? self_threshold : full_turn;
+  if (source)
+    source(x_, margin_, threshold, pairs_);
+  else
+    counts_.subtrees_tested += pair_search_.find(hierarchy_, threshold, parts_, pairs_);
   ++counts_.searches;
   counts_.volumes_refitted += hierarchy_.node_count();
-  counts_.subtrees_tested += subtrees;
   counts_.triangle_pairs += static_cast<std::int64_t>(pairs_.size());
 }
 

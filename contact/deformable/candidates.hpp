@@ -59,6 +59,11 @@ struct SearchCounts {
   double refit_seconds = 0, pair_seconds = 0, list_seconds = 0;
 };
 
+/// Finds the pairs of triangles in place of the host's hierarchy: for positions [point_count], a margin [m] and
+/// a threshold as PairSearch::find does.
+using PairSource =
+    std::function<void(const std::vector<Vec3<double>>& x, double margin, double threshold, Pairs& found)>;
+
 class CandidateSearch {
  public:
   /// The mesh and the rules must outlive the search. reach: distance up to which contacts are looked for [m].
@@ -67,8 +72,9 @@ class CandidateSearch {
   CandidateSearch(const ContactMesh& mesh, const ContactRules& rules, double reach, Hierarchy hierarchy);
 
   /// Candidates while every point stays within `margin` - reach / 2 of x [m]  [point_count]
-  /// The same for any parts.
-  const Candidates& find(const std::vector<Vec3<double>>& x, double margin, const HostParts& parts = {});
+  /// The same for any parts. source: who finds the pairs, if not the host.
+  const Candidates& find(const std::vector<Vec3<double>>& x, double margin, const HostParts& parts = {},
+                         const PairSource& source = {});
   const SearchCounts& counts() const { return counts_; }
   const Hierarchy& hierarchy() const { return hierarchy_; }
 
@@ -86,7 +92,7 @@ class CandidateSearch {
   void refit_hierarchy();
   void set_normals();
   void set_ridges();
-  void find_pairs();
+  void find_pairs(const PairSource& source);
   double half_thickness(std::span<const int> corners) const;
   bool adjacent(int a, int b) const;
 
