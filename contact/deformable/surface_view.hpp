@@ -61,25 +61,28 @@ struct PlaceSurface {
   Extent<R>* extents;                 ///< [ceil(node_count / chunk)]
   R advance_per_force;                ///< [s^2]
 
-  GLISSON_HD void operator()(int c) const {
-    const int end = surface.node_count < (c + 1) * chunk ? surface.node_count : (c + 1) * chunk;
-    Extent<R> extent;
-    for (int k = c * chunk; k < end; ++k) {
-      const int n = surface.nodes[k];
-      surface.to[k].w = advance_per_force * v[n].w;
-      const Vec3<R> push = surface.moved_by(k, force[k]);
-      const Vec3<R> d = (xyz(u_predicted[n]) - xyz(u[n])) + push;
-      const Vec3<R> p = xyz(surface.X[k]) + xyz(u_predicted[n]) + push;
-      surface.to[k] = {p.x, p.y, p.z, surface.to[k].w};
-      surface.motion[k] = {d.x, d.y, d.z, R(0)};
-      surface.guess[k] = {push.x, push.y, push.z, R(0)};
-      const Vec3<R> drift = p - xyz(reference[k]), before = drift - d;
-      widen(extent.drift, dot(drift, drift));
-      widen(extent.drift, dot(before, before));
-      widen(extent.motion, dot(d, d));
-    }
-    extents[c] = extent;
+  using Sum = Extent<R>;
+  GLISSON_HD int entry_count() const { return surface.node_count; }
+  GLISSON_HD void add(int k, Sum& extent) const {
+    const int n = surface.nodes[k];
+    surface.to[k].w = advance_per_force * v[n].w;
+    const Vec3<R> push = surface.moved_by(k, force[k]);
+    const Vec3<R> d = (xyz(u_predicted[n]) - xyz(u[n])) + push;
+    const Vec3<R> p = xyz(surface.X[k]) + xyz(u_predicted[n]) + push;
+    surface.to[k] = {p.x, p.y, p.z, surface.to[k].w};
+    surface.motion[k] = {d.x, d.y, d.z, R(0)};
+    surface.guess[k] = {push.x, push.y, push.z, R(0)};
+    const Vec3<R> drift = p - xyz(reference[k]), before = drift - d;
+    widen(extent.drift, dot(drift, drift));
+    widen(extent.drift, dot(before, before));
+    widen(extent.motion, dot(d, d));
   }
+  GLISSON_HD static void join(Sum& a, const Sum& b) {
+    widen(a.drift, b.drift);
+    widen(a.motion, b.motion);
+  }
+  GLISSON_HD void leave(int c, const Sum& extent) const { extents[c] = extent; }
+  GLISSON_HD void operator()(int c) const { run_chunk(*this, c); }
 
  private:
   GLISSON_HD static void widen(R& largest, R value) {
