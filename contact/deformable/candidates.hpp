@@ -59,8 +59,8 @@ struct SearchCounts {
   double refit_seconds = 0, pair_seconds = 0, list_seconds = 0;
 };
 
-/// Finds the pairs of triangles in place of the host's hierarchy: for positions [point_count], a margin [m] and
-/// a threshold as PairSearch::find does.
+/// Finds the pairs of triangles in place of the host's hierarchy: for positions [point_count], a margin [m]
+/// and a threshold as PairSearch::find does.
 using PairSource =
     std::function<void(const std::vector<Vec3<double>>& x, double margin, double threshold, Pairs& found)>;
 
