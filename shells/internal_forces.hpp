@@ -23,8 +23,9 @@ class InternalForces : public SolidForces<R> {
     add_shell_forces(step);
   }
   SharedForces<R> add_all_but_shared(const StepView<R>& step) override {
-    const SharedForces<R> left = solids_ ? solids_->add_all_but_shared(step) : SharedForces<R>{};
-    add_shell_forces(step);
+    if (!solids_) return add_shells_but_shared(step);
+    const SharedForces<R> left = solids_->add_all_but_shared(step);
+    add_shell_forces(step);  // only one provider can leave something
     return left;
   }
   double strain_energy(const StepView<R>& step) override {
@@ -59,6 +60,11 @@ class InternalForces : public SolidForces<R> {
 
  protected:
   virtual void add_shell_forces(const StepView<R>& step) = 0;
+  /// As add_all_but_shared() of the shells alone.
+  virtual SharedForces<R> add_shells_but_shared(const StepView<R>& step) {
+    add_shell_forces(step);
+    return {};
+  }
   virtual double energy_of_shells(const StepView<R>& step) = 0;
   virtual std::size_t shell_history_size() const = 0;
   virtual void get_shell_history(double* values) const = 0;

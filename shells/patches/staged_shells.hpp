@@ -22,19 +22,21 @@ class SharedArrays {
       : count_(shared.count()),
         nodes_(detail::upload(backend, shared.nodes)),
         begin_(detail::upload(backend, shared.begin)),
+        of_node_(detail::upload(backend, shared.shared_of_node)),
         force_(detail::zeros<Vec4<R>>(backend, static_cast<std::size_t>(shared.slot_count()))) {}
 
   void connect(PatchView<R>& view) const {
     view.slot_force = force_.get();
     view.shared_begin = begin_.get();
   }
+  SharedForces<R> left() const { return {of_node_.get(), begin_.get(), force_.get()}; }
   void add(B& backend, Vec4<R>* f) const {
-    backend.for_each(count_, AddSharedForces<R>{nodes_.get(), {nullptr, begin_.get(), force_.get()}, f});
+    backend.for_each(count_, AddSharedForces<R>{nodes_.get(), left(), f});
   }
 
  private:
   int count_;
-  Buffer<int> nodes_, begin_;
+  Buffer<int> nodes_, begin_, of_node_;
   Buffer<Vec4<R>> force_;
 };
 
@@ -167,6 +169,10 @@ class StagedShells final : public SectionForces<B, R> {
   void add_shell_forces(const StepView<R>& step) override {
     this->forces_of_blocks(step);
     shared_.add(this->backend_, step.f);
+  }
+  SharedForces<R> add_shells_but_shared(const StepView<R>& step) override {
+    this->forces_of_blocks(step);
+    return shared_.left();
   }
 
   SharedArrays<B, R> shared_;
