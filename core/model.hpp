@@ -157,6 +157,11 @@ struct RigidBody {
   std::vector<int> nodes;  ///< nodes that may touch it; empty: all surface nodes
 };
 
+/// Contact by penalty instead of multipliers: of the depth that a step would end at, the force takes back
+/// this share within the step, were the contact alone: stiffness = share mass / step^2. In (0, 1] [-]
+using PenaltyShare = std::optional<double>;
+constexpr double default_penalty = 0.5;
+
 /// Rigid surface of triangles or quadrilaterals that nodes stay in front of, with Coulomb friction. The front
 /// is where the facets' normals point. It turns by Rx Ry Rz about `centre`, then shifts; or it follows a
 /// table of poses.
@@ -169,6 +174,7 @@ struct RigidSurface {
   Vec3<double> centre;        ///< of the rotation, at rest [m]
   LoadCurve motion{LoadShape::ramp};
   std::vector<RigidPose> poses;  ///< two or more: instead of displacement, angles and motion
+  PenaltyShare penalty;          ///< empty: multipliers
   std::vector<int> nodes;  ///< nodes that may touch it; empty: all surface nodes
 };
 
@@ -198,6 +204,7 @@ struct DeformableContact {
   std::optional<double> distance;  ///< gap below which an approach is slowed [m]; empty: from the mesh
   std::vector<int> nodes;          ///< nodes that may touch facets; empty: all surface nodes
   std::vector<ContactPair> pairs;
+  PenaltyShare penalty;  ///< empty: multipliers
 
   bool wanted() const { return between_bodies || self; }
 };

@@ -64,13 +64,13 @@ class Hasher {
   void add(const RigidPose& p) { all(p.time, p.shift, p.turn); }
   void add(const RigidSurface& s) {
     all(s.surface.X, s.surface.facets, s.friction, s.displacement, s.angles, s.centre, s.motion, s.poses,
-        s.nodes);
+        s.penalty, s.nodes);
   }
   void add(const TiedSurfaces& t) { all(t.a, t.b, t.distance); }
   void add(const NamedElements& b) { all(b.name, b.first, b.count, b.first_triangle, b.triangle_count); }
   void add(const ContactPair& p) { all(p.a, p.b, p.touch, p.friction); }
   void add(const DeformableContact& c) {
-    all(c.between_bodies, c.self, c.friction, c.offset, c.distance, c.nodes, c.pairs);
+    all(c.between_bodies, c.self, c.friction, c.offset, c.distance, c.nodes, c.pairs, c.penalty);
   }
   void add(const InitialVelocity& c) { all(c.nodes, c.velocity); }
   void add(const QuasiStatic& q) { all(q.force_tolerance, q.displacement_tolerance, q.max_steps); }

@@ -14,6 +14,7 @@
 #include <glisson/contact/deformable/candidate_lists.hpp>
 #include <glisson/contact/deformable/start_overlap.hpp>
 #include <glisson/contact/deformable/surface_state.hpp>
+#include <glisson/core/base/number_text.hpp>
 #include <glisson/core/contact_report.hpp>
 
 namespace glisson::contact {
@@ -53,6 +54,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
         surface_(backend, mesh_, model, numbering),
         lists_(backend, mesh_),
         work_(backend, mesh_.node_count()) {
+    if (distances_.penalty > 0) refuse_start_depth();
     for (const int n : mesh_.nodes) internal_.push_back(detail::internal_node(numbering, n));
   }
 
@@ -86,6 +88,14 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   void load(std::span<const std::byte> bytes) override;
 
  private:
+  void refuse_start_depth() const {
+    if (!(start_depth_ > distances_.slack)) return;
+    throw Error(ErrorKind::input,
+                "bodies start " + number_text(start_depth_) +
+                    " in each other, and penalty forces would throw them apart; move them apart, or use "
+                    "multipliers, which resolve it in several steps",
+                {"", 0, contact_place});
+  }
   using Clock = std::chrono::steady_clock;
   static double since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -117,7 +127,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   void resolve(double motion) {
     const SurfaceView<R> surface = surface_.view();
     const TouchLimits<R> limits{R(distances_.reach), R(distances_.offset), R(distances_.close),
-                                R(distances_.slack)};
+                                R(distances_.slack), R(distances_.penalty)};
     const PushedNodes<R> pushed = lists_.pushed();
     const int slots = lists_.slots(), nodes = lists_.node_count();
     if (nodes == 0) return;
@@ -129,12 +139,15 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     const auto found = Clock::now();
     backend_.for_each(nodes, ListPushing<R>{pushed, lists_.touches(), surface.to, surface.guess});
     backend_.for_each(slots, SetGain<R>{lists_.touches(), pushed.share});
+    const bool penalty = distances_.penalty > 0;
+    const int iterations = penalty && !rules_.any_friction() ? 1 : contact_iterations;
     double momentum = 1;  // Nesterov's t
-    for (int i = 0; i < contact_iterations; ++i) {
+    for (int i = 0; i < iterations; ++i) {
       const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum * momentum));
-      const double ahead = i + 1 < contact_iterations ? (momentum - 1) / next : 0;
+      const double ahead = i + 1 < iterations ? (momentum - 1) / next : 0;
+      const double share = !penalty ? 1 : i == 0 ? distances_.penalty : 0;
       momentum = next;
-      backend_.for_each(slots, PushTouches<R>{lists_.touches(), pushed.moved, R(ahead)});
+      backend_.for_each(slots, PushTouches<R>{lists_.touches(), pushed.moved, R(ahead), R(share)});
       backend_.for_each(nodes, MovePushed<R>{pushed, lists_.touches(), surface});
     }
     force_seconds_ += since(found);

@@ -29,6 +29,7 @@ ContactDistances contact_distances(const DeformableContact& contact, const Conta
         {"", 0, contact_place});
   d.slack = 0.01 * mesh.edge_length;
   d.reach = std::max(0.2 * mesh.edge_length, 2 * (d.offset + d.close));
+  d.penalty = contact.penalty.value_or(0);
   d.room = 0.15 * mesh.edge_length;
   d.swing = 1 + 2 * mesh.largest_offset() / mesh.edge_length;
   return d;

@@ -12,6 +12,7 @@ struct ContactDistances {
   double reach = 0;   ///< contacts are looked for up to here, on both sides of a facet
   double slack = 0;   ///< depth that is resolved in one step
   double room = 0;    ///< how far nodes may move before candidates are searched anew
+  double penalty = 0;  ///< 0: multipliers; else PenaltyShare [-]
   double swing = 1;   ///< how far points beside nodes move then, over room: their facets turn [-]
 };
 ContactDistances contact_distances(const DeformableContact& contact, const ContactMesh& mesh);

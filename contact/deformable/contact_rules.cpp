@@ -39,6 +39,11 @@ double ContactRules::friction(int a, int b) const {
   return rule ? rule->friction : friction_;
 }
 
+bool ContactRules::any_friction() const {
+  return friction_ > 0 ||
+         std::any_of(pairs_.begin(), pairs_.end(), [](const auto& its) { return its.second.friction > 0; });
+}
+
 std::string ContactRules::body_name(int region) const {
   const int body = body_[std::size_t(region)];
   return body == 0 ? "a body without a name" : "sub-model '" + names_[std::size_t(body - 1)] + "'";

@@ -17,6 +17,7 @@ class ContactRules {
   /// Whether two regions of the mesh may touch; a region with itself: self-contact.
   bool may_touch(int region_a, int region_b) const;
   double friction(int region_a, int region_b) const;
+  bool any_friction() const;
   /// "sub-model 'liver'" for messages; "a body without a name".
   std::string body_name(int region) const;
   /// Whether any part may touch itself, so that the search has to look within parts.

@@ -7,6 +7,16 @@
 // 1 / sum_n |w_n| / m_n sum_c' |w_c'n| of all contacts c' at the nodes n. That row sum bounds the matrix of
 // the constraints, so the iteration converges for every mesh (Gershgorin), and a single contact gets its
 // whole force at once. Friction follows in the same way, bounded by mu lambda (eq. 5.24-5.25).
+//
+// Penalty response: lambda = s gain max(0, -gap(0)) once, with the share s in (0, 1]; friction iterates below
+// mu lambda. It leaves the stable step as it is: with P = M^-1 sum gain w w^T, whose eigenvalues lie in [0,
+// 1] by the same bound, a step of the linearised contact is
+//   x(n+1) = (1 - s P) (2 x(n) - x(n-1) - dt^2 M^-1 K x(n)).
+// 1 - s P is symmetric in the masses, between 1 - s and 1. So each mode has m z^2 + (a - 2) z + 1 = 0 with m
+// >= 1 from its inverse and a = dt^2 <K> / <M>, and |z| <= 1 as long as a <= 4, which is the step that is
+// stable without contact. That needs the force from the gap at the end of the step; from that at its
+// beginning, s would have to stay below 4 - a. The price is damping of the approach, a share sqrt(s) / 2 of
+// the critical one for a mass that hits something rigid.
 #pragma once
 
 #include <glisson/contact/deformable/surface_view.hpp>
@@ -81,6 +91,7 @@ struct PushTouches {
   Touch<R>* touches;
   const Vec4<R>* moved;
   R ahead;  ///< share of the last change that is added; 0 in the last iteration
+  R share;  ///< of the gain along the normal: 1, or of penalties once s, then 0
 
   GLISSON_HD void operator()(int c) const {
     Touch<R>& t = touches[c];
@@ -88,7 +99,7 @@ struct PushTouches {
     Vec3<R> d;
     for (int m = 0; m < most_touch_nodes && t.node[m] >= 0; ++m) d = d + t.weight[m] * xyz(moved[t.node[m]]);
     const R along = dot(d, t.normal);
-    const R pressing = positive(t.pressing_ahead + t.gain * (t.target - t.gap - along));
+    const R pressing = positive(t.pressing_ahead + share * t.gain * (t.target - t.gap - along));
     t.pressing_ahead = positive(pressing + ahead * (pressing - t.pressing));
     t.pressing = pressing;
     if (t.friction > R(0)) {

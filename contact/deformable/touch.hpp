@@ -13,6 +13,7 @@ struct TouchLimits {
   R offset = R(0);  ///< gap that surfaces keep
   R close = R(0);   ///< epsilon_r of Johnsen 2016: gap below which an approach is slowed
   R slack = R(0);   ///< depth that is resolved in one step; what lies deeper, from the start, in some
+  R penalty = R(0);  ///< 0: multipliers; else PenaltyShare [-]
 };
 
 constexpr int most_touch_nodes = 5;  // a node and the corners of a quadrilateral
@@ -83,10 +84,14 @@ constexpr double touch_memory = 0.95, depth_share = 0.2;
 /// What the gap must be at the end of the step. Behind the surface: on it, as the penetration response of
 /// Johnsen 2016, eq. 5.13, demands, or, if it was behind before, nearer by a share of the depth; nodes that
 /// were deep at the beginning of the run come out by a tenth a step. In front of it and nearer than `close`:
-/// the approach keeps the share gap / close of its speed (eq. 5.19-5.22). Returns false where nothing has to
-/// be done. predicted: the gap without any contact force [m]
+/// the approach keeps the share gap / close of its speed (eq. 5.19-5.22). Penalties act behind the surface
+/// only. Returns false where nothing has to be done. predicted: the gap without any contact force [m]
 template <class R>
 GLISSON_HD bool set_target(Touch<R>& t, R predicted, const TouchLimits<R>& limits) {
+  if (limits.penalty > R(0)) {
+    t.target = R(0);
+    return predicted < R(0);
+  }
   const R closing = t.before - predicted;
   if (predicted < R(0)) {
     const R deep = t.before + limits.slack;
@@ -113,7 +118,7 @@ GLISSON_HD bool complete_touch(Touch<R>& t, const Vec4<R>* motion, const Vec4<R>
   const R along = dot(path, t.normal);
   t.before = t.gap - along;
   t.slip = path - along * t.normal;
-  t.pressing = t.pressing_ahead = R(touch_memory) * t.pressing;
+  t.pressing = t.pressing_ahead = limits.penalty > R(0) ? R(0) : R(touch_memory) * t.pressing;
   t.rubbing = t.rubbing_ahead = t.force = Vec3<R>{};
   return enters(t, entry) && set_target(t, t.gap - dot(pushed, t.normal), limits);
 }

@@ -1,5 +1,6 @@
 // Contact of nodes with a rigid surface mesh, with Coulomb friction: the explicit Lagrange multiplier of
-// Johnsen 2016, eq. 5.13, with all of the gap on the node (beta_s = 1), and eq. 5.24-5.25.
+// Johnsen 2016, eq. 5.13, with all of the gap on the node (beta_s = 1), and eq. 5.24-5.25. A penalty is a
+// share of that multiplier: deformable/resolve_touches.hpp says why it keeps the stable step.
 #pragma once
 
 #include <glisson/contact/analytic/rigid_motion.hpp>
@@ -22,6 +23,7 @@ struct SurfaceForce : LastForces<R> {
   const Vec4<R>* v;     ///< w: 1/mass [1/kg]                                      [node_count]
   R advance_per_force;  ///< [s^2]
   R friction;           ///< [-]
+  R share;              ///< of the depth that the step takes back: 1, less of penalties [-]
 
   /// Motion relative to the surface. Differences come first, so that float keeps a slow slip.
   GLISSON_HD Vec3<R> slip(int i, int n) const {
@@ -41,9 +43,9 @@ struct SurfaceForce : LastForces<R> {
     if (!(p.depth > R(0))) return {};
     const Vec3<R> aside = path - dot(path, p.out) * p.out;
     const R length = square_root(dot(aside, aside));
-    const R most = friction * p.depth;  // both forces divide by the mobility
-    const R share = length > most ? most / length : (friction > R(0) ? R(1) : R(0));
-    return (R(1) / mobility) * times(turn, p.depth * p.out - share * aside);
+    const R push = share * p.depth, most = friction * push;  // all forces divide by the mobility
+    const R stopped = length > most ? most / length : (friction > R(0) ? R(1) : R(0));
+    return (R(1) / mobility) * times(turn, push * p.out - stopped * aside);
   }
 };
 
@@ -120,6 +122,7 @@ class SurfaceContact final : public ListContact<B, R> {
     rule.v = step.v;
     rule.advance_per_force = step.advance_per_force;
     rule.friction = R(surface_.friction);
+    rule.share = R(surface_.penalty.value_or(1));
     return rule;
   }
 

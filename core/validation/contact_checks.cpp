@@ -55,10 +55,17 @@ bool one_solid(const Mesh& mesh) {
 
 }  // namespace
 
+void check_penalty(const PenaltyShare& share, const std::string& where) {
+  if (share && !(*share > 0 && *share <= 1))
+    refuse(where, "its penalty stiffness is " + number_text(*share) +
+                      ", but must be greater than 0 and at most 1, above which the step is not stable");
+}
+
 void check_deformable_contact(const Model& model, Warnings& warnings) {
   const DeformableContact& contact = model.contact;
   const std::string where = "contact of deformable bodies";
   check_friction(contact.friction, where);
+  check_penalty(contact.penalty, where);
   if (!(contact.offset >= 0) || !std::isfinite(contact.offset))
     refuse(where, "its safety margin is " + number_text(contact.offset) + ", but must not be negative");
   if (contact.distance && (!(*contact.distance > 0) || !std::isfinite(*contact.distance)))

@@ -100,6 +100,8 @@ void read_motion(const Reader& reader, const XmlElement& motion, RigidSurface& s
 }  // namespace
 
 void read_contact_surfaces(const Reader& reader, const XmlElement& model, Part& part) {
+  const auto response = model.required_child("SystemParams").child("ContactResponse");
+  const PenaltyShare common = response != nullptr ? read_response(*response, "Type", {}) : PenaltyShare();
   for (const auto& element : model.children) {
     if (!element.is("ContactSurface")) continue;
     RigidSurface surface;
@@ -109,6 +111,7 @@ void read_contact_surfaces(const Reader& reader, const XmlElement& model, Part& 
       surface.friction = friction->number();
       if (surface.friction < 0) friction->fail("it is " + friction->text() + ", but must not be negative");
     }
+    surface.penalty = read_response(element, "Response", common);
     surface.nodes = read_slaves(element, part.model.mesh);
     if (const auto motion = element.child("Motion")) read_motion(reader, *motion, surface);
     part.model.surfaces.push_back(std::move(surface));

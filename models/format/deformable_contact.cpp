@@ -92,6 +92,17 @@ void require_first(const XmlElement& element, const std::vector<ContactPair>& pa
 
 }  // namespace
 
+PenaltyShare read_response(const XmlElement& element, const char* attribute, const PenaltyShare& otherwise) {
+  const auto response = element.attribute(attribute);
+  const auto stiffness = element.number_attribute("Stiffness");
+  if (stiffness && (response == nullptr || response->value != "Penalty"))
+    element.fail("its Stiffness belongs to " + std::string(attribute) + "=\"Penalty\"");
+  if (stiffness && !(*stiffness > 0 && *stiffness <= 1))
+    element.fail("its Stiffness must be greater than 0 and at most 1, above which the step is not stable");
+  if (response == nullptr) return otherwise;
+  return response->value == "Penalty" ? PenaltyShare(stiffness.value_or(default_penalty)) : PenaltyShare();
+}
+
 void read_deformable_contact(const Reader& reader, const XmlElement& model, Part& part) {
   const auto& system = model.required_child("SystemParams");
   DeformableContact& contact = part.model.contact;
@@ -100,6 +111,8 @@ void read_deformable_contact(const Reader& reader, const XmlElement& model, Part
   read_distances(system, contact);
   if (const auto friction = system.child("DeformableFrictionCoefficient"))
     contact.friction = not_negative(*friction);
+  if (const auto response = system.child("ContactResponse"))
+    contact.penalty = read_response(*response, "Type", {});
   check_hierarchy_type(system);
   warn_of_unused(reader, system, contact.wanted());
   if (const auto nodes = model.child("ContactNodes")) {

@@ -87,6 +87,8 @@ void read_contact_surfaces(const Reader& reader, const XmlElement& model, Part& 
 void read_deformable_contact(const Reader& reader, const XmlElement& model, Part& part);
 /// Notes the name of a sub-model for pairs of bodies.
 void name_body(const XmlElement& sub_model, Part& part);
+/// By `attribute`, Multiplier or Penalty, and Stiffness; `otherwise` where it is absent.
+PenaltyShare read_response(const XmlElement& element, const char* attribute, const PenaltyShare& otherwise);
 void read_system_params(Reader& reader, const XmlElement& model, TimeSettings& time);
 void read_output(const XmlElement& model, OutputSettings& output);
 

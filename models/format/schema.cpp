@@ -83,7 +83,7 @@ constexpr std::array rules{
         "Table=Value"},
     ElementRule{"Plate", "LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",
                 "a=Value b=Value c=Value Disp=Value SlvNodes=Nodes Table=Value"},
-    ElementRule{"ContactSurface", "",
+    ElementRule{"ContactSurface", "Response:Multiplier,Penalty Stiffness",
                 "Nodes=MeshNodes Elements=MeshElements VTKSurface=MeshFile SurfaceFile=MeshFile "
                 "FrictionCoefficient=Value SlaveNodes=Nodes SlvNodes=Nodes Motion=Motion"},
     ElementRule{"ContactPair", "A B Touch:0,1", "FrictionCoefficient=Value"},
@@ -100,9 +100,10 @@ constexpr std::array rules{
         "DoDeformableCollision=Collision DoSelfCollision=Collision DoMultiPassContacts=Value BVType=Value "
         "DeformableFrictionCoefficient=Value ContactSafetyMargin=Value RateConstraintDistance=Value "
         "SafetyFactor=Value TimeStepper=Value MassScaling=Value QuasiStatic=QuasiStatic "
-        "EnergyTolerance=Value "
+        "EnergyTolerance=Value ContactResponse=ContactResponse "
         "MonitorFreq=Value"},
     ElementRule{"Collision", "Type", "", true},
+    ElementRule{"ContactResponse", "Type:Multiplier,Penalty Stiffness", ""},
     ElementRule{"QuasiStatic", "", "ForceTolerance=Value DisplacementTolerance=Value MaxSteps=Value"},
     ElementRule{"Value", "", "", true},
     ElementRule{"Empty", "", ""},

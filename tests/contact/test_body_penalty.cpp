@@ -1,0 +1,174 @@
+// Penalty response between deformable bodies: momentum, the stable step, depth under pressure, friction that
+// holds, self-contact, restart.
+#include <gtest/gtest.h>
+
+#include <tests/contact/bodies.hpp>
+#include <tests/contact/overlap_check.hpp>
+#include <tests/support/same_bits.hpp>
+
+namespace glisson::test {
+namespace {
+
+class BodyPenalties : public Matrix {};
+
+/// A small block that flies at a larger one, obliquely, with friction.
+Model sliding_block(const PenaltyShare& penalty) {
+  Model model;
+  const Material rubber{"NH", mu_kappa(1e4, 0.3), 1000};
+  add_body(model, box_mesh({24, 24, 2}, {0.24, 0.24, 0.02}, Shape::tetrahedron, 0.1), Formulation::t4,
+           rubber);
+  Mesh upper = box_mesh({17, 16, 3}, {0.12, 0.12, 0.03}, Shape::hexahedron);
+  move(upper, {0.05, 0.04, 0.0201});
+  const Body block = add_body(model, upper, Formulation::h8, rubber);
+  model.initial_velocities.push_back({block.nodes(), {0.1, 0.05, -0.05}});
+  model.contact.between_bodies = true;
+  model.contact.friction = 0.4;
+  model.contact.penalty = penalty;
+  model.time.total = 0.03;
+  return model;
+}
+
+TEST_P(BodyPenalties, KeepMomentumWithFriction) {
+  const Model model = sliding_block(default_penalty);
+  const auto mass = lumped_mass(model);
+  const Body all{0, model.mesh.node_count()};
+  auto simulation = simulate(model, GetParam());
+  const auto before = mean_of(simulation->velocity(), all, mass);
+  while (!simulation->finished()) simulation->step(20);
+  const auto lost = mean_of(simulation->velocity(), all, mass) - before;
+  EXPECT_LT(std::sqrt(dot(lost, lost)), GetParam().rounding() * 0.1);
+  EXPECT_LT(simulation->energies().contact, 0) << "friction takes energy";
+  EXPECT_GT(mean_of(simulation->velocity(), {0, 25 * 25 * 3}, mass).x, 1e-4) << "nothing was touched";
+}
+
+TEST_P(BodyPenalties, AResumedRunEndsWithTheSameBits) {
+  const auto [whole, resumed] =
+      expect_same_bits_resumed(sliding_block(default_penalty), GetParam(), 10, 10);
+  const ContactReport a = whole->contacts().at(0).report, b = resumed->contacts().at(0).report;
+  EXPECT_GT(a.node_count, 0);
+  EXPECT_EQ(a.node_count, b.node_count);
+  EXPECT_EQ(a.largest_depth, b.largest_depth);
+}
+
+TEST(BodyPenaltyThreads, GiveTheSameBitsForAnyNumber) {
+  expect_same_bits_for_any_threads(sliding_block(default_penalty), threads_float, 30);
+}
+
+/// Undamped bodies in resting contact at 0.999 of the stable step, with the largest stiffness that there is:
+/// the sum of kinetic, strain and potential energy never grows.
+TEST(BodyPenalty, TheStepStaysStableAtEveryStiffness) {
+  for (const double share : {0.1, default_penalty, 1.0}) {
+    Model model;
+    const Material rubber{"NH", mu_kappa(1e4, 0.3), 1000};
+    add_body(model, box_mesh({4, 4, 3}, {0.04, 0.04, 0.03}, Shape::hexahedron), Formulation::h8, rubber);
+    Mesh upper = box_mesh({5, 5, 3}, {0.04, 0.04, 0.03}, Shape::tetrahedron);
+    move(upper, {0.001, -0.0005, 0.0301});
+    const Body block = add_body(model, upper, Formulation::t4, rubber);
+    model.fixed.push_back({face(model.mesh, 2, 0), all_axes});
+    model.initial_velocities.push_back({block.nodes(), {0, 0, -0.2}});
+    model.contact.between_bodies = true;
+    model.contact.penalty = share;
+    model.time.total = 0.3;
+    model.time.safety = 0.999;
+    auto simulation = simulate(model, threads_float);
+    double peak = 0;
+    while (!simulation->finished()) {
+      simulation->step(20);
+      const Energies e = simulation->energies();
+      peak = std::max(peak, (e.kinetic + e.strain) / e.initial);
+    }
+    EXPECT_LT(peak, 1.001) << share;
+    EXPECT_GT(simulation->contacts().at(0).report.largest_depth, 0) << share;
+    EXPECT_GT(mean_of(simulation->velocity(), block, lumped_mass(model)).z, 0.05) << "it flies off: " << share;
+  }
+}
+
+/// Two blocks pressed by this share of their height: the depth at the end and the largest one, in edges.
+struct Pressed {
+  double depth, largest, force, pressing;
+};
+Pressed press(double by, const PenaltyShare& penalty) {
+  Model model;
+  const double nu = 0.45, E = 3000;
+  const Material soft{"NH", mu_kappa(E, nu), 1000};
+  add_body(model, box_mesh({6, 6, 5}, {0.06, 0.06, 0.03}, Shape::tetrahedron), Formulation::t4, soft);
+  Mesh upper = box_mesh({7, 7, 5}, {0.06, 0.06, 0.03}, Shape::tetrahedron);
+  move(upper, {0, 0, 0.03});
+  const Body above = add_body(model, upper, Formulation::t4, soft);
+  model.fixed.push_back({face(model.mesh, 2, 0), 4});
+  model.fixed.push_back({face(model.mesh, 0, 0), 1});
+  model.fixed.push_back({face(model.mesh, 1, 0), 2});
+  model.displacements.push_back({face(model.mesh, 2, 0.06), 4, {-0.06 * by}, smooth_curve(0.5)});
+  model.contact.between_bodies = true;
+  model.contact.penalty = penalty;
+  model.time.total = 1;
+  model.time.damping = 40;
+  auto simulation = simulate(model, threads_float);
+  while (!simulation->finished()) simulation->step(100);
+  const auto report = simulation->contacts().at(0).report;
+  double force = 0;
+  const auto f = simulation->contact_force();
+  for (const int n : above.nodes()) force += f[static_cast<std::size_t>(n)].z;
+  const double edge = 0.06 / 7;
+  return {report.depth / edge, report.largest_depth / edge, force,
+          force / (E * by * 0.06 * 0.06)};
+}
+
+/// The multipliers hold the surfaces on each other, penalties let them in by a share that falls with the
+/// stiffness; the force is that of the bodies either way.
+TEST(BodyPenalty, DepthUnderPressureFallsWithTheStiffness) {
+  const Pressed exact = press(0.2, {});
+  double last = 1;
+  for (const double share : {0.2, default_penalty, 0.9}) {
+    const Pressed its = press(0.2, share);
+    EXPECT_LT(its.depth, 0.8 * last) << share;
+    EXPECT_GT(its.depth, exact.depth) << share;
+    EXPECT_NEAR(its.force, exact.force, 0.05 * exact.force) << share;
+    last = its.depth;
+  }
+  EXPECT_LT(last, 0.05);
+}
+
+/// Below the angle of friction a block does not creep.
+TEST(BodyPenalty, FrictionHoldsWhatItCanHold) {
+  Model model;
+  const Material firm{"NH", mu_kappa(1e5, 0.3), 1000};
+  add_body(model, box_mesh({12, 5, 1}, {0.12, 0.05, 0.01}, Shape::hexahedron), Formulation::h8, firm);
+  Mesh upper = box_mesh({5, 4, 2}, {0.04, 0.04, 0.02}, Shape::hexahedron);
+  move(upper, {0.013, 0.005, 0.01});
+  const Body block = add_body(model, upper, Formulation::h8, firm);
+  for (Section& section : model.sections)
+    section.material.isochoric = section.material.volumetric = {{0.5, 3e-4}};
+  model.fixed.push_back({face(model.mesh, 2, 0), all_axes});
+  const double mu = 0.3, slope = std::atan(0.9 * mu);
+  model.gravity.push_back(
+      {block.nodes(), 9.81 * Vec3<double>{std::sin(slope), 0, -std::cos(slope)}, smooth_curve(0.1)});
+  model.contact.between_bodies = true;
+  model.contact.friction = mu;
+  model.contact.penalty = default_penalty;
+  model.time.total = 0.3;
+  const auto mass = lumped_mass(model);
+  auto simulation = simulate(model, threads_float);
+  while (simulation->time() < 0.15) simulation->step(20);
+  const double way = mean_of(simulation->displacement(), block, mass).x;
+  while (!simulation->finished()) simulation->step(20);
+  const double later = mean_of(simulation->displacement(), block, mass).x;
+  EXPECT_LT(later, 2e-4) << "0.11 m if it slipped freely";
+  EXPECT_NEAR(later, way, 1e-6);
+}
+
+TEST(BodyPenalty, BodiesThatStartInEachOtherAreRefused) {
+  Model model = sliding_block(default_penalty);
+  for (auto& X : model.mesh.X)
+    if (X.z > 0.02005) X.z -= 0.0008;
+  expect_refused(model, "penalty forces would throw them apart");
+  model.contact.penalty = 1.5;
+  expect_refused(model, "its penalty stiffness is 1.5");
+  model.contact.penalty = -0.1;
+  expect_refused(model, "must be greater than 0");
+}
+
+GLISSON_ALL_CASES(BodyPenalties);
+
+}  // namespace
+}  // namespace glisson::test
