@@ -175,6 +175,7 @@ struct RigidSurface {
   LoadCurve motion{LoadShape::ramp};
   std::vector<RigidPose> poses;  ///< two or more: instead of displacement, angles and motion
   PenaltyShare penalty;          ///< empty: multipliers
+  std::optional<double> distance;  ///< gap below which an approach is slowed; empty: as in contact [m]
   std::vector<int> nodes;  ///< nodes that may touch it; empty: all surface nodes
 };
 

@@ -64,7 +64,7 @@ class Hasher {
   void add(const RigidPose& p) { all(p.time, p.shift, p.turn); }
   void add(const RigidSurface& s) {
     all(s.surface.X, s.surface.facets, s.friction, s.displacement, s.angles, s.centre, s.motion, s.poses,
-        s.penalty, s.nodes);
+        s.penalty, s.distance, s.nodes);
   }
   void add(const TiedSurfaces& t) { all(t.a, t.b, t.distance); }
   void add(const NamedElements& b) { all(b.name, b.first, b.count, b.first_triangle, b.triangle_count); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <glisson/contact/rate_distance.hpp>
 #include <glisson/core/base/error.hpp>
 #include <glisson/core/base/number_text.hpp>
 
@@ -17,7 +18,7 @@ constexpr double most_apart = 0.5;
 ContactDistances contact_distances(const DeformableContact& contact, const ContactMesh& mesh) {
   ContactDistances d;
   d.offset = contact.offset;
-  d.close = contact.distance.value_or(default_contact_distance(mesh));
+  d.close = contact.distance.value_or(rate_distance(mesh.shortest, mesh.longest));
   if (!(d.offset + d.close <= most_apart * mesh.edge_length))
     throw Error(
         ErrorKind::input,

@@ -282,6 +282,4 @@ ContactMesh contact_mesh(const Model& model) {
   return mesh;
 }
 
-double default_contact_distance(const ContactMesh& mesh) { return 2.5e-4 * (mesh.shortest + mesh.longest); }
-
 }  // namespace glisson::contact

@@ -75,8 +75,4 @@ struct ContactMesh {
 /// facets, which has no inside, and for nodes that are not on the surface.
 ContactMesh contact_mesh(const Model& model);
 
-/// The gap below which an approach is slowed: epsilon_r of Johnsen 2016, section 5.3.5.2, which is 1/4000 of
-/// the sum of the smallest and the largest facet height [m].
-double default_contact_distance(const ContactMesh& mesh);
-
 }  // namespace glisson::contact

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include <glisson/contact/rate_distance.hpp>
 #include <glisson/contact/shell_thickness.hpp>
 #include <glisson/contact/surface/surface_contact.hpp>
 #include <glisson/contact/surface/surface_overlap.hpp>
@@ -15,13 +16,16 @@ namespace glisson::contact {
 template <Backend B, class R>
 void add_rigid_surfaces(B& backend, const Model& model, const Numbering& numbering,
                         std::vector<std::unique_ptr<ForceProvider<R>>>& to) {
+  if (model.surfaces.empty()) return;
   const std::vector<double> half = half_thickness_at_nodes(model);
+  const double close = model.contact.distance ? *model.contact.distance : rate_distance_of(model);
   for (const RigidSurface& surface : model.surfaces) {
     const std::vector<int> nodes = candidate_nodes(surface.nodes, model.mesh);
     const SurfaceData data = surface_data(surface.surface, surface.centre);
     refuse_overlap(surface, data, nodes, half, model.mesh);
     to.push_back(
-        std::make_unique<SurfaceContact<B, R>>(backend, surface, data, nodes, half, model.mesh, numbering));
+        std::make_unique<SurfaceContact<B, R>>(backend, surface, data, nodes, half, model.mesh, numbering,
+                                               surface.penalty ? 0 : surface.distance.value_or(close)));
   }
 }
 

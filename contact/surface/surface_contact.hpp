@@ -1,5 +1,6 @@
 // Contact of nodes with a rigid surface mesh, with Coulomb friction: the explicit Lagrange multiplier of
-// Johnsen 2016, eq. 5.13, with all of the gap on the node (beta_s = 1), and eq. 5.24-5.25. A penalty is a
+// Johnsen 2016, eq. 5.13, with all of the gap on the node (beta_s = 1), the gap rate-proportional
+// force of eq. 5.19-5.22 in front of it, and friction by eq. 5.24-5.25. A penalty is a
 // share of that multiplier: deformable/resolve_touches.hpp says why it keeps the stable step.
 #pragma once
 
@@ -24,15 +25,19 @@ struct SurfaceForce : LastForces<R> {
   R advance_per_force;  ///< [s^2]
   R friction;           ///< [-]
   R share;              ///< of the depth that the step takes back: 1, less of penalties [-]
+  R close;              ///< epsilon_r: gap below which an approach is slowed [m]
 
   /// Motion relative to the surface. Differences come first, so that float keeps a slow slip.
   GLISSON_HD Vec3<R> slip(int i, int n) const {
     const Vec3<R> before = xyz(X[i]) + xyz(from[n]) - shift;
     return transposed_times(turn, xyz(to[n]) - xyz(from[n]) - shifted) + transposed_times(turned, before);
   }
+  /// Depth -gap in front of the surface, down to -close, from where on there is nothing.
   GLISSON_HD Penetration<R> penetration(int i, int n, const Vec3<R>& slipped) const {
     const Vec3<R> q = transposed_times(turn, xyz(X[i]) + xyz(to[n]) - shift - shifted);
-    return shape(q - slipped, q, X[i].w);
+    Penetration<R> p = shape(q - slipped, q, X[i].w + close);
+    p.depth -= close;
+    return p;
   }
   GLISSON_HD Penetration<R> penetration(int i, int n) const { return penetration(i, n, slip(i, n)); }
   GLISSON_HD Vec3<R> force(int i, int n) const {
@@ -40,12 +45,21 @@ struct SurfaceForce : LastForces<R> {
     if (!(mobility > R(0))) return {};
     const Vec3<R> path = slip(i, n);
     const Penetration<R> p = penetration(i, n, path);
-    if (!(p.depth > R(0))) return {};
-    const Vec3<R> aside = path - dot(path, p.out) * p.out;
-    const R length = square_root(dot(aside, aside));
-    const R push = share * p.depth, most = friction * push;  // all forces divide by the mobility
+    const R along = dot(path, p.out), push = push_of(p, along);  // all forces divide by the mobility
+    if (!(push > R(0))) return {};
+    const Vec3<R> aside = path - along * p.out;
+    const R length = square_root(dot(aside, aside)), most = friction * push;
     const R stopped = length > most ? most / length : (friction > R(0) ? R(1) : R(0));
     return (R(1) / mobility) * times(turn, push * p.out - stopped * aside);
+  }
+
+ private:
+  /// How far the force along the normal takes the node back within the step. In front of the surface the
+  /// approach keeps the share gap / close of its speed, as between deformable bodies.
+  GLISSON_HD R push_of(const Penetration<R>& p, R along) const {
+    if (p.depth > R(0)) return share * p.depth;
+    const R near = close + p.depth;
+    return near > R(0) && along < R(0) ? R(0) - (near / close) * along : R(0);
   }
 };
 
@@ -60,15 +74,16 @@ Mat3<R> narrowed(const Mat3<double>& a) {
 template <Backend B, class R>
 class SurfaceContact final : public ListContact<B, R> {
  public:
-  /// half_thickness: of shells at the nodes of the mesh
+  /// half_thickness: of shells at the nodes of the mesh; close: gap below which an approach is slowed [m]
   SurfaceContact(B& backend, const RigidSurface& surface, const SurfaceData& data,
                  const std::vector<int>& nodes, const std::vector<double>& half_thickness, const Mesh& mesh,
-                 const Numbering& numbering)
+                 const Numbering& numbering, double close)
       : ListContact<B, R>(
             backend, surface.name,
             ListContact<B, R>::entries_of(nodes, surface.centre, mesh, numbering, half_thickness)),
         surface_(surface),
         reach_(R(data.reach)),
+        close_(R(close)),
         node_count_(static_cast<int>(data.nodes.size())),
         nodes_(detail::upload(backend, nodes_of_tree(data))),
         facets_(detail::upload(backend, facets_of_surface(data))) {}
@@ -123,11 +138,12 @@ class SurfaceContact final : public ListContact<B, R> {
     rule.advance_per_force = step.advance_per_force;
     rule.friction = R(surface_.friction);
     rule.share = R(surface_.penalty.value_or(1));
+    rule.close = close_;
     return rule;
   }
 
   RigidSurface surface_;
-  R reach_;
+  R reach_, close_;
   int node_count_;
   Buffer<SurfaceNode<R>> nodes_;
   Buffer<SurfaceFacet<R>> facets_;

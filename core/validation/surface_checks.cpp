@@ -132,6 +132,9 @@ void check_rigid_surfaces(const Model& model) {
     if (!(s.friction >= 0) || !std::isfinite(s.friction))
       refuse(where, "its friction coefficient is " + number_text(s.friction) + ", but must not be negative");
     check_penalty(s.penalty, where);
+    if (s.distance && !(*s.distance >= 0 && std::isfinite(*s.distance)))
+      refuse(where, "its rate constraint distance is " + number_text(*s.distance) +
+                        ", but must not be negative");
     if (s.surface.facets.empty()) refuse(where, "it has no facet, so nothing can touch it");
     const FacetCheck check(s, where);
     for (std::size_t f = 0; f < s.surface.facets.size(); ++f) check(f);

@@ -37,7 +37,8 @@ void check_hierarchy_type(const XmlElement& system) {
     type->fail("'" + name + "' is not a kind of bounding volume" + suggestion(name, known));
 }
 
-void warn_of_unused(const Reader& reader, const XmlElement& system, bool wanted) {
+/// Distances count for rigid surfaces too.
+void warn_of_unused(const Reader& reader, const XmlElement& system, bool wanted, bool rigid) {
   for (const auto name : {"DoMultiPassContacts", "BVType"})
     if (const auto element = system.child(name))
       reader.warn(*element, wanted ? "it has no effect: all contacts of a step are solved together, and one "
@@ -45,7 +46,8 @@ void warn_of_unused(const Reader& reader, const XmlElement& system, bool wanted)
                                    : "it has no effect: contact of deformable bodies is switched off");
   if (wanted) return;
   for (const auto name : {"DeformableFrictionCoefficient", "ContactSafetyMargin", "RateConstraintDistance"})
-    if (const auto element = system.child(name))
+    if (const auto element = system.child(name);
+        element != nullptr && (!rigid || element->is("DeformableFrictionCoefficient")))
       reader.warn(*element, "it has no effect: contact of deformable bodies is switched off");
 }
 
@@ -114,7 +116,7 @@ void read_deformable_contact(const Reader& reader, const XmlElement& model, Part
   if (const auto response = system.child("ContactResponse"))
     contact.penalty = read_response(*response, "Type", {});
   check_hierarchy_type(system);
-  warn_of_unused(reader, system, contact.wanted());
+  warn_of_unused(reader, system, contact.wanted(), !part.model.surfaces.empty());
   if (const auto nodes = model.child("ContactNodes")) {
     contact.nodes =
         index_list(*nodes, nodes->integer_attribute("NumNodes"), part.model.mesh.node_count(), "nodes");

@@ -85,7 +85,8 @@ constexpr std::array rules{
                 "a=Value b=Value c=Value Disp=Value SlvNodes=Nodes Table=Value"},
     ElementRule{"ContactSurface", "Response:Multiplier,Penalty Stiffness",
                 "Nodes=MeshNodes Elements=MeshElements VTKSurface=MeshFile SurfaceFile=MeshFile "
-                "FrictionCoefficient=Value SlaveNodes=Nodes SlvNodes=Nodes Motion=Motion"},
+                "FrictionCoefficient=Value RateConstraintDistance=Value SlaveNodes=Nodes SlvNodes=Nodes "
+                "Motion=Motion"},
     ElementRule{"ContactPair", "A B Touch:0,1", "FrictionCoefficient=Value"},
     ElementRule{"TiedSurfaces", "A B Distance", ""},
     ElementRule{

@@ -77,6 +77,70 @@ TYPED_TEST(RigidSurfaces, AFastNodeDoesNotTunnel) {
   EXPECT_NEAR(scene.position(2).z, 0, eps);
 }
 
+/// Eq. 5.19-5.22: within the rate distance a free approach keeps the share gap / distance of its speed, where
+/// the gap is the one that it would reach; the node ends in front of the surface and rests.
+TYPED_TEST(RigidSurfaces, AnApproachIsSlowedInFrontOfTheSurface) {
+  const double close = 0.1, dt = 0.01, v = 0.5;
+  RigidSurface floor = floor_of();
+  floor.distance = close;
+  Scene<TypeParam> scene({{1, 1, 0.1075}}, floor);
+  scene.bench.v[0] = {0.2, 0, -v};
+  double gap = 0.1075, speed = v;
+  for (int n = 0; n < 200; ++n) {
+    const double predicted = gap - speed * dt;
+    if (predicted < close) speed *= predicted / close;
+    gap -= speed * dt;
+    scene.step(dt);
+    ASSERT_NEAR(scene.position(0).z, gap, 30 * scene.bench.tolerance()) << n;
+  }
+  EXPECT_GT(scene.position(0).z, 0);
+  EXPECT_NEAR(scene.bench.v[0].x, 0.2, 20 * scene.bench.tolerance()) << "no friction";
+  EXPECT_EQ(scene.report().largest_depth, 0);
+}
+
+/// A surface that rises at the node does the same as one that the node falls on; one that sinks pulls not.
+TYPED_TEST(RigidSurfaces, AMovingSurfaceSlowsWhatIsInFrontOfIt) {
+  const double close = 0.1, dt = 0.01, v = 0.5;
+  RigidSurface rising = floor_of();
+  rising.distance = close;
+  rising.displacement = {0, 0, v};
+  Scene<TypeParam> scene({{1, 1, 0.1075}, {2, 2, 3}}, rising);
+  double gap = 0.1075, speed = v;
+  for (int n = 0; n < 90; ++n) {
+    const double predicted = gap - speed * dt;
+    if (predicted < close) speed *= predicted / close;
+    gap -= speed * dt;
+    scene.step(dt);
+    ASSERT_NEAR(scene.position(0).z, gap + v * dt * (n + 1), 30 * scene.bench.tolerance()) << n;
+  }
+  EXPECT_EQ(scene.bench.u[1].z, 0);
+  RigidSurface sinking = floor_of();
+  sinking.distance = close;
+  sinking.displacement = {0, 0, -v};
+  Scene<TypeParam> left({{1, 1, 0.01}}, sinking);
+  for (int n = 0; n < 90; ++n) left.step(dt);
+  EXPECT_EQ(left.bench.u[0].z, 0);
+}
+
+/// At rest the node presses with its weight and sinks to the surface, never behind it; friction holds it.
+TYPED_TEST(RigidSurfaces, WhatIsSlowedPressesAndRubs) {
+  RigidSurface floor = floor_of();
+  floor.distance = 0.1;
+  floor.friction = 0.3;
+  Scene<TypeParam> scene({{1, 1, 0.05}}, floor, 2);
+  scene.gravity = {2, 0, -10};
+  double last = 1;
+  for (int n = 0; n < 500; ++n) {
+    scene.step(0.01);
+    ASSERT_LE(scene.position(0).z, last + scene.bench.tolerance());
+    last = scene.position(0).z;
+  }
+  EXPECT_NEAR(last, 0, 1e-3);
+  EXPECT_GE(last, -10 * scene.bench.tolerance());
+  EXPECT_NEAR(scene.report().force.z, 20, 2);
+  EXPECT_LT(scene.bench.u[0].x, 0.02) << "until it presses it slips a little; freely 25";
+}
+
 TYPED_TEST(RigidSurfaces, AMovingSurfaceTakesNodesAlong) {
   RigidSurface turning = floor_of();
   turning.friction = 100;
@@ -108,6 +172,7 @@ TYPED_TEST(RigidSurfaces, WorkIsTheEnergyOfTheNodes) {
 
 TYPED_TEST(RigidSurfaces, RestartGivesTheSameBits) {
   RigidSurface rough = floor_of();
+  rough.distance = 0.05;
   rough.friction = 0.2;
   rough.displacement = {0.3, 0, 0.5};
   const std::vector<Vec3<double>> X{{1, 1, 0.1}, {2, 1.5, 0.2}, {3, 3, 0.05}};

@@ -1,0 +1,15 @@
+// The gap below which contact slows an approach, for surfaces that leave it to the mesh.
+#pragma once
+
+#include <glisson/core/model.hpp>
+
+namespace glisson::contact {
+
+/// epsilon_r of Johnsen 2016, section 5.3.5.2: 1/4000 of the sum of the smallest and the largest height of a
+/// facet over its longest edge [m]
+constexpr double rate_distance(double smallest, double largest) { return 2.5e-4 * (smallest + largest); }
+
+/// The same of the outer facets of solids, membranes and shells; 0 without any [m]
+double rate_distance_of(const Model& model);
+
+}  // namespace glisson::contact
