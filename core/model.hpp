@@ -167,6 +167,8 @@ constexpr double default_penalty = 0.5;
 /// table of poses.
 struct RigidSurface {
   std::string name;
+  std::string file;              ///< that the facets are from, for messages
+  std::vector<int> facet_lines;  ///< where each facet stands in it, for messages  [facets], or empty
   SurfaceMesh surface;
   double friction = 0;        ///< Coulomb's coefficient [-]
   Vec3<double> displacement;  ///< at amplitude 1 [m]

@@ -157,8 +157,31 @@ void add_edge(ContactMesh& mesh, const std::array<int, 2>& node, const EdgeUse& 
   mesh.edges.push_back({node, {a[1], b[1]}, {a[0], b[0]}});
 }
 
+/// "0, 3": the elements around an edge, at most six of them.
+std::string elements_at(const Mesh& mesh, int a, int b) {
+  std::string text;
+  int count = 0;
+  for (int e = 0; e < mesh.element_count() && count < 6; ++e) {
+    const auto nodes = mesh.element(e);
+    if (std::count(nodes.begin(), nodes.end(), a) == 0 || std::count(nodes.begin(), nodes.end(), b) == 0)
+      continue;
+    text += (count++ > 0 ? ", " : "") + std::to_string(e);
+  }
+  return text;
+}
+
+[[noreturn]] void refuse_edge(const Mesh& mesh, int a, int b, std::size_t facets) {
+  throw Error(ErrorKind::input,
+              "it needs surfaces with an inside, but the edge between the nodes " + std::to_string(a) +
+                  " and " + std::to_string(b) + " has " + std::to_string(facets) +
+                  " outer facets: elements touch there at an edge only (there are " +
+                  elements_at(mesh, a, b) +
+                  "). Remove an element at it or add one, or switch the contact off",
+              {"", 0, contact_place});
+}
+
 /// Where sheets branch or stand on a solid, both sides of each are taken as neighbours.
-void set_edges(ContactMesh& mesh) {
+void set_edges(ContactMesh& mesh, const Mesh& model) {
   mesh.triangle_edges.resize(mesh.triangles.size());
   std::map<std::array<int, 2>, std::vector<EdgeUse>> uses;
   for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -175,14 +198,8 @@ void set_edges(ContactMesh& mesh) {
     const auto of_solids =
         std::count_if(its.begin(), its.end(), [&](const auto& u) { return sheet_of(u) < 0; });
     if (its.size() % 2 == 1 || of_solids > 2)
-      throw Error(ErrorKind::input,
-                  "it needs surfaces with an inside, but the edge between the nodes " +
-                      std::to_string(mesh.nodes[at(mesh.node_of(node[0]))]) + " and " +
-                      std::to_string(mesh.nodes[at(mesh.node_of(node[1]))]) + " has " +
-                      std::to_string(its.size()) +
-                      " outer facets: elements touch there at an edge only. Remove an element at it or add "
-                      "one, or switch the contact off",
-                  {"", 0, contact_place});
+      refuse_edge(model, mesh.nodes[at(mesh.node_of(node[0]))], mesh.nodes[at(mesh.node_of(node[1]))],
+                  its.size());
     for (std::size_t i = 0; i < its.size(); i += 2) add_edge(mesh, node, its[i], its[i + 1]);
   }
 }
@@ -276,7 +293,7 @@ ContactMesh contact_mesh(const Model& model) {
   set_near(mesh);
   lengthen_at_edges(mesh);
   mesh.append_points(mesh.X);
-  set_edges(mesh);
+  set_edges(mesh, model.mesh);
   set_edge_length(mesh);
   set_touching_nodes(mesh, model.contact.nodes);
   return mesh;

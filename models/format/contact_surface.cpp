@@ -38,21 +38,32 @@ std::vector<Facet> facet_list(const XmlElement& element, int node_count) {
 
 namespace {
 
-SurfaceMesh read_surface(const Reader& reader, const XmlElement& element) {
+/// Of the first number of each facet.
+std::vector<int> facet_lines(const XmlElement& elements, const std::vector<Facet>& facets) {
+  std::vector<int> lines;
+  int token = 0;
+  for (const XmlText& chunk : elements.texts)
+    for_each_token(chunk, [&](std::string_view, int line) {
+      if (token++ % facets[0].node_count() == 0) lines.push_back(line);
+    });
+  return lines;
+}
+
+void read_surface(const Reader& reader, const XmlElement& element, RigidSurface& to) {
   for (const auto name : {"SurfaceFile", "VTKSurface"})
     if (const auto file = element.child(name)) {
       if (const auto other = element.child("Nodes"))
         other->fail("a second geometry: <" + std::string(name) + "> is there too; keep one of them");
-      SurfaceMesh surface = surface_from_file(reader, *file);
-      transform_as_told(*file, surface.X);
-      return surface;
+      to.surface = surface_from_file(reader, *file, &to.file);
+      transform_as_told(*file, to.surface.X);
+      return;
     }
-  SurfaceMesh surface;
-  surface.X = read_positions(element.required_child("Nodes"));
+  to.file = *element.file;
+  to.surface.X = read_positions(element.required_child("Nodes"));
   const auto& elements = element.required_child("Elements");
   elements.required_attribute("NumEls");
-  surface.facets = facet_list(elements, static_cast<int>(surface.X.size()));
-  return surface;
+  to.surface.facets = facet_list(elements, static_cast<int>(to.surface.X.size()));
+  to.facet_lines = facet_lines(elements, to.surface.facets);
 }
 
 /// SlaveNodes counts the nodes of the outer surface in rising order, as NiftySim does; SlvNodes those of the
@@ -106,7 +117,7 @@ void read_contact_surfaces(const Reader& reader, const XmlElement& model, Part& 
     if (!element.is("ContactSurface")) continue;
     RigidSurface surface;
     surface.name = "ContactSurface at line " + std::to_string(element.line);
-    surface.surface = read_surface(reader, element);
+    read_surface(reader, element, surface);
     if (const auto friction = element.child("FrictionCoefficient")) {
       surface.friction = friction->number();
       if (surface.friction < 0) friction->fail("it is " + friction->text() + ", but must not be negative");

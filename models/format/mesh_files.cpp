@@ -11,9 +11,11 @@ Mesh mesh_from_file(const Reader& reader, const XmlElement& element) {
   return mesh;
 }
 
-SurfaceMesh surface_from_file(const Reader& reader, const XmlElement& element) {
+SurfaceMesh surface_from_file(const Reader& reader, const XmlElement& element, std::string* found) {
   std::vector<std::string> warnings;
-  SurfaceMesh surface = read_surface_mesh(reader.find_file(element, element.required_text()), &warnings);
+  const std::string path = reader.find_file(element, element.required_text());
+  if (found != nullptr) *found = path;
+  SurfaceMesh surface = read_surface_mesh(path, &warnings);
   for (const auto& warning : warnings) reader.warn(element, warning);
   return surface;
 }

@@ -103,7 +103,8 @@ const XmlElement* mesh_file_of(const XmlElement& level);
 /// The one place that calls the mesh readers.
 LabelledSurface labelled_surface_from_file(const Reader& reader, const XmlElement& element);
 Mesh mesh_from_file(const Reader& reader, const XmlElement& element);
-SurfaceMesh surface_from_file(const Reader& reader, const XmlElement& element);
+/// found: gets the path of the file.
+SurfaceMesh surface_from_file(const Reader& reader, const XmlElement& element, std::string* found = nullptr);
 /// Moves positions by the element's Rotation, ScaleFactor and Translation.
 void transform_as_told(const XmlElement& element, std::span<Vec3<double>> X);
 std::shared_ptr<const SurfaceDistance> distance_from_file(const Reader& reader, const XmlElement& element,

@@ -250,6 +250,7 @@ TEST(BodyContactRefuses, SurfacesWithFourFacetsAtAnEdge) {
   model.contact.self = true;
   model.time.total = 0.1;
   expect_refused(model, "4 outer facets");
+  expect_refused(model, "(there are 0, 1)");
 }
 
 /// A small overlap of flush blocks ends step by step, without a jump.

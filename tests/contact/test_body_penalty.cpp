@@ -42,8 +42,7 @@ TEST_P(BodyPenalties, KeepMomentumWithFriction) {
 }
 
 TEST_P(BodyPenalties, AResumedRunEndsWithTheSameBits) {
-  const auto [whole, resumed] =
-      expect_same_bits_resumed(sliding_block(default_penalty), GetParam(), 10, 10);
+  const auto [whole, resumed] = expect_same_bits_resumed(sliding_block(default_penalty), GetParam(), 10, 10);
   const ContactReport a = whole->contacts().at(0).report, b = resumed->contacts().at(0).report;
   EXPECT_GT(a.node_count, 0);
   EXPECT_EQ(a.node_count, b.node_count);
@@ -79,7 +78,8 @@ TEST(BodyPenalty, TheStepStaysStableAtEveryStiffness) {
     }
     EXPECT_LT(peak, 1.001) << share;
     EXPECT_GT(simulation->contacts().at(0).report.largest_depth, 0) << share;
-    EXPECT_GT(mean_of(simulation->velocity(), block, lumped_mass(model)).z, 0.05) << "it flies off: " << share;
+    EXPECT_GT(mean_of(simulation->velocity(), block, lumped_mass(model)).z, 0.05)
+        << "it flies off: " << share;
   }
 }
 
@@ -110,8 +110,7 @@ Pressed press(double by, const PenaltyShare& penalty) {
   const auto f = simulation->contact_force();
   for (const int n : above.nodes()) force += f[static_cast<std::size_t>(n)].z;
   const double edge = 0.06 / 7;
-  return {report.depth / edge, report.largest_depth / edge, force,
-          force / (E * by * 0.06 * 0.06)};
+  return {report.depth / edge, report.largest_depth / edge, force, force / (E * by * 0.06 * 0.06)};
 }
 
 /// The multipliers hold the surfaces on each other, penalties let them in by a share that falls with the

@@ -65,7 +65,8 @@ TYPED_TEST(SurfacePenalties, ANodeSlipsOnASlopeExactlyAboveItsFrictionAngle) {
     for (int n = 0; mu > tangent && n < 100; ++n) scene.step(dt);
     const Vec3<double> later = scene.bench.u[0];
     if (mu > tangent) {
-      EXPECT_NEAR(later.x * std::cos(slope) - later.z * std::sin(slope), again, 1e2 * scene.bench.tolerance());
+      EXPECT_NEAR(later.x * std::cos(slope) - later.z * std::sin(slope), again,
+                  1e2 * scene.bench.tolerance());
     }
   }
 }

@@ -130,6 +130,26 @@ TEST(ValidateSurfaces, EachDefectIsRefusedWithItsFacet) {
   }
 }
 
+/// The line of the facet that is named last, in the file that it is from.
+TEST(ValidateSurfaces, FileAndLineOfTheFacetAreTold) {
+  for (const Case& its : refused) {
+    Model model = good_model();
+    RigidSurface& s = model.surfaces[0];
+    s.file = "floor.xml";
+    its.spoil(s);
+    for (std::size_t f = 0; f < s.surface.facets.size(); ++f) s.facet_lines.push_back(100 + int(f));
+    try {
+      validate(model);
+    } catch (const Error& error) {
+      const std::string words = its.words;
+      if (words.find("facet") != 0 && words.find("3 facets") != 0) continue;
+      EXPECT_EQ(error.place().file, "floor.xml") << error.what();
+      const int line = words.find("facet 0") == 0 ? 100 : words.find("facet 3") == 0 ? 103 : 106;
+      EXPECT_EQ(error.place().line, line) << error.what();
+    }
+  }
+}
+
 /// Open surfaces, parts that touch at a node or not at all, and nodes without a facet are fine.
 TEST(ValidateSurfaces, WhatOnlyLooksOddIsTaken) {
   Model model = good_model();

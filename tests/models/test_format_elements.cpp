@@ -235,6 +235,8 @@ TEST(FormatContact, RigidSurfaces) {
                   "0.1</Motion></ContactSurface>"));
   ASSERT_EQ(model.surfaces.size(), 2U);
   EXPECT_EQ(model.surfaces[0].surface.facets.size(), 2U);
+  EXPECT_EQ(model.surfaces[0].file, "test.xml");
+  EXPECT_EQ(model.surfaces[0].facet_lines, (std::vector<int>{23, 23}));
   EXPECT_EQ(model.surfaces[0].friction, 0.25);
   EXPECT_EQ(model.surfaces[0].nodes, (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(model.surfaces[0].angles.z, 1.5);

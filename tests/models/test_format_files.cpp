@@ -116,6 +116,10 @@ TEST_F(FormatFiles, SurfacesOfContact) {
   const SurfaceMesh plane = from("<SurfaceFile>plane.stl<Translation>0 0 1</Translation></SurfaceFile>");
   ASSERT_EQ(plane.facets.size(), 1U);
   EXPECT_EQ(plane.facets[0].node_count(), 3);
+  const auto told = read(model(mesh_element,
+                               "<ContactSurface><SurfaceFile>plane.stl</SurfaceFile>"
+                               "</ContactSurface>"));
+  EXPECT_EQ(told.surfaces.at(0).file, (directory / "plane.stl").string());
   ASSERT_EQ(plane.X.size(), 3U);
   for (const auto& X : plane.X) EXPECT_NEAR(X.z, 3.1, 1e-6);  // float in the file
 }
