@@ -249,6 +249,26 @@ TEST(FormatContact, RigidSurfaces) {
   EXPECT_TRUE(model.surfaces[1].nodes.empty());
 }
 
+TEST(FormatContact, Responses) {
+  const auto floor = [](const std::string& attributes) {
+    return "<ContactSurface" + attributes +
+           "><Nodes NumNodes=\"3\">0 0 -1 1 0 -1 1 1 -1</Nodes><Elements NumEls=\"1\" Type=\"T3\">0 1 "
+           "2</Elements><RateConstraintDistance>0.25</RateConstraintDistance></ContactSurface>";
+  };
+  const std::string three =
+      floor("") + floor(" Response=\"Multiplier\"") + floor(" Response=\"Penalty\" Stiffness=\"0.125\"");
+  auto model = parsed(with(three));
+  EXPECT_FALSE(model.contact.penalty);
+  EXPECT_FALSE(model.surfaces[0].penalty);
+  EXPECT_EQ(model.surfaces[2].penalty.value_or(0), 0.125);
+  EXPECT_EQ(model.surfaces[2].distance.value_or(0), 0.25);
+  model = parsed(replaced(with(three), "<TimeStep>", "<ContactResponse Type=\"Penalty\"/><TimeStep>"));
+  EXPECT_EQ(model.contact.penalty.value_or(0), default_penalty);
+  EXPECT_EQ(model.surfaces[0].penalty.value_or(0), default_penalty);
+  EXPECT_FALSE(model.surfaces[1].penalty);
+  EXPECT_EQ(model.surfaces[2].penalty.value_or(0), 0.125);
+}
+
 /// The base file's geometry as a sub-model with a name, moved along x.
 std::string named_cube(const std::string& name, int x) {
   const auto from = base_xml.find("<Nodes"), to = base_xml.find("<SystemParams>");
