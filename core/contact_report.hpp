@@ -15,6 +15,7 @@ namespace glisson {
 struct ContactSearchReport {
   std::int64_t volumes = 0;           ///< boxes of the hierarchy; 0 for analytic bodies
   std::int64_t searches = 0;          ///< lists of candidates made
+  std::int64_t looks = 0;             ///< steps in which the host looked whether that was due
   std::int64_t volumes_refitted = 0;  ///< over all searches, like the next two
   std::int64_t subtrees_tested = 0;   ///< whose children were tested against each other
   std::int64_t triangle_pairs = 0;    ///< with overlapping boxes

@@ -58,6 +58,8 @@ class ForceProvider {
   virtual bool needs_prediction() const { return false; }
   /// Whether those after it need a prediction that has this force in it.
   virtual bool moves_prediction() const { return false; }
+  /// Whether it needs a prediction that has the forces of those before it in it.
+  virtual bool needs_forces_before() const { return false; }
   virtual void add_forces(const StepView<R>& step) = 0;
   /// Work done on the nodes since the start [J]; 0 for providers that do not say.
   virtual double work() const { return 0; }

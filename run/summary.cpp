@@ -57,6 +57,7 @@ Json timings_of(const RunSummary& s) {
 Json search_of(const ContactSearchReport& s) {
   return {{"volumes", s.volumes},
           {"searches", s.searches},
+          {"looks", s.looks},
           {"volumes_refitted", s.volumes_refitted},
           {"subtrees_tested", s.subtrees_tested},
           {"triangle_pairs", s.triangle_pairs},

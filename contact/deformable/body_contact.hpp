@@ -1,10 +1,9 @@
 // Contact of deformable bodies with each other and with themselves (Johnsen 2016, chapter 5) as a provider of
 // a backend. Include it only where a backend is instantiated.
 //
-// A step: positions as predicted; one contact at most per slot; forces of all
-// contacts together. Candidates come from a bounding volume hierarchy, which devices refit and search
-// themselves, and hold until a node has moved farther than `room`; the host lists them. All sums have a fixed
-// order.
+// A step: positions as predicted; one contact at most per slot; forces of all contacts together. Candidates
+// come from a bounding volume hierarchy, which devices refit and search themselves, and hold until a node has
+// moved farther than `room`; the host lists them. All sums have a fixed order.
 #pragma once
 
 #include <chrono>
@@ -20,6 +19,8 @@
 namespace glisson::contact {
 
 constexpr int contact_iterations = 16;
+/// After how many steps a device's host looks again at the latest.
+constexpr int most_quiet_steps = 8;
 
 /// Devices find the pairs themselves. The backend must outlive the result.
 template <Backend B>
@@ -61,16 +62,20 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   std::string_view name() const override { return "contact of deformable bodies"; }
   Space space() const override { return B::space; }
   bool needs_prediction() const override { return true; }
+  /// A node that something rigid holds would otherwise seem to move as fast as it is pressed against it.
+  bool needs_forces_before() const override { return true; }
   double work() const override { return work_.total(); }
 
   void add_forces(const StepView<R>& step) override {
     if (!step.advance) return add_next_forces(step);
     const auto start = std::chrono::steady_clock::now();
-    const Extent<R> extent = surface_.place(step, lists_.force().get());
-    const bool lost = !std::isfinite(double(extent.drift));  // the energy account names the node
-    if (!lost && (!listed_ || !(double(extent.drift) < room_ * room_)))
-      search(std::sqrt(double(extent.motion)));
-    if (!lost) resolve(std::sqrt(double(extent.motion)));
+    surface_.place(step, lists_.force().get());
+    surface_.keep_extent();
+    if (steps_to_look_ > 0)
+      --steps_to_look_;
+    else
+      look();
+    if (!lost_) resolve(motion_);
     work_.run(step, lists_.internal_nodes(), lists_.found_force(), lists_.node_count());
     seconds_ += since(start);
   }
@@ -103,10 +108,33 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   /// The forces that the next step will find with the candidates of the last one; leaves no trace.
   void add_next_forces(const StepView<R>& step) {
     const auto kept = lists_.keep();
-    const Extent<R> extent = surface_.place(step, lists_.force().get());
-    if (std::isfinite(double(extent.drift))) resolve(std::sqrt(double(extent.motion)));
+    surface_.place(step, lists_.force().get());
+    const Extent<R> extent = steps_to_look_ > 0 ? Extent<R>{R(0), R(motion_ * motion_)} : surface_.extent();
+    if (!lost_ && std::isfinite(double(extent.drift))) resolve(std::sqrt(double(extent.motion)));
     work_.run(step, lists_.internal_nodes(), lists_.found_force(), lists_.node_count());
     lists_.restore(kept);
+  }
+  /// Searches if a node went too far. Without search the candidates hold for those steps in which no node
+  /// uses up the room that is left at twice the speed of now.
+  void look() {
+    const Extent<R> extent = surface_.extent();
+    surface_.forget_extent();
+    ++looks_;
+    lost_ = !std::isfinite(double(extent.drift));  // the energy account names the node
+    if (lost_) return;
+    motion_ = std::sqrt(double(extent.motion));
+    double drift = std::sqrt(double(extent.drift));
+    if (!listed_ || !(drift < room_)) {
+      search(motion_);
+      drift = 0;
+    }
+    steps_to_look_ = quiet_steps(room_ - drift);
+  }
+  /// Steps without a look, for which a device has to wait; hosts need none. Nor are there any where a node
+  /// could soon pass a facet unseen.
+  int quiet_steps(double left) const {
+    if (B::space == Space::host || 8 * motion_ > distances_.reach) return 0;
+    return left < 2 * motion_ * most_quiet_steps ? static_cast<int>(left / (2 * motion_)) : most_quiet_steps;
   }
   /// Candidates for nodes that move up to 3 such steps or `room` without another search.
   void search(double motion) {
@@ -167,8 +195,11 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   std::vector<int> internal_;  ///< internal node of each surface node
   std::vector<int> extra_;
   std::vector<Vec3<double>> x_;
-  bool listed_ = false;
-  double room_ = 0;  ///< of the present candidates [m]
+  bool listed_ = false, lost_ = false;
+  double room_ = 0;    ///< of the present candidates [m]
+  double motion_ = 0;  ///< of the fastest node in a step, when somebody looked last [m]
+  int steps_to_look_ = 0;
+  std::int64_t looks_ = 0;
   double seconds_ = 0, search_seconds_ = 0, touch_seconds_ = 0, force_seconds_ = 0;
 };
 
@@ -190,6 +221,7 @@ ContactReport BodyContact<B, R>::report() const {
   report.between_bodies = true;
   report.search = {search_.hierarchy().node_count(),
                    counts.searches,
+                   looks_,
                    counts.volumes_refitted,
                    counts.subtrees_tested,
                    counts.triangle_pairs,
@@ -210,10 +242,10 @@ std::vector<std::byte> BodyContact<B, R>::save() const {
   std::vector<std::uint8_t> listed(internal_.size(), 0);
   for (const int k : lists_.host_nodes()) listed[std::size_t(k)] = 1;
   detail::ByteWriter out;
-  out.value(std::int64_t(listed_)).value(room_);
+  out.value(std::int64_t(listed_)).value(room_).value(motion_).value(std::int64_t(steps_to_look_));
   for (const std::uint8_t its : listed) out.value(its);
-  out.buffer(backend_, surface_.reference(), internal_.size())
-      .buffer(backend_, lists_.force(), internal_.size())
+  surface_.save(out);
+  out.buffer(backend_, lists_.force(), internal_.size())
       .buffer(backend_, lists_.last(), internal_.size())
       .buffer(backend_, lists_.deepest(), internal_.size());
   work_.save(out);
@@ -224,9 +256,12 @@ std::vector<std::byte> BodyContact<B, R>::save() const {
 template <Backend B, class R>
 void BodyContact<B, R>::load(std::span<const std::byte> bytes) {
   detail::ByteReader in(bytes, std::string(name()));
-  std::int64_t listed = 0;
+  std::int64_t listed = 0, steps_to_look = 0;
   in.value(listed);
   in.value(room_);
+  in.value(motion_);
+  in.value(steps_to_look);
+  steps_to_look_ = static_cast<int>(steps_to_look);
   std::vector<int> nodes;
   for (std::size_t k = 0; k < internal_.size(); ++k) {
     std::uint8_t its = 0;

@@ -39,40 +39,52 @@ class SurfaceState {
 
   int count() const { return count_; }
   const int* nodes() const { return nodes_.get(); }
-  const Buffer<Vec4<R>>& reference() const { return reference_; }
   SurfaceView<R> view() const {
     return {nodes_.get(), X_.get(),          free_axes_.get(), triangles_.get(),
             quads_.get(), side_nodes_.get(), count_,           mesh_.corner_count(),
             to_.get(),    motion_.get(),     guess_.get()};
   }
 
-  /// Takes the positions of a step that starts with last step's contact forces; returns the largest squares
-  /// of drift and motion, NaN if any is.
-  Extent<R> place(const StepView<R>& step, const Vec4<R>* force) {
+  /// Takes the positions of a step that starts with last step's contact forces.
+  void place(const StepView<R>& step, const Vec4<R>* force) {
     backend_.for_each(chunk_count(),
                       PlaceSurface<R>{view(), step.u, step.u_predicted, step.v, force, reference_.get(),
-                                      extents_.get(), step.advance_per_force});
+                                      extents_.get(), step.advance_per_force, afresh_});
     backend_.for_each(
         static_cast<int>(mesh_.beside.size()),
         PlaceSidePoints<R>{view(), side_distances_.get(), side_around_begin_.get(), side_around_.get()});
     backend_.for_each(static_cast<int>(mesh_.quads.size()), PlaceCentres<R>{view()});
-    backend_.copy_out(extents_.get(), host_extents_.data(), host_extents_.size());
+  }
+  /// Largest squares of drift and motion in the steps since forget_extent(), NaN if any is. Waits for a
+  /// device.
+  Extent<R> extent() const {
+    std::vector<Extent<R>>& parts = host_extents_;
+    backend_.copy_out(extents_.get(), parts.data(), parts.size());
     Extent<R> all;
-    for (const Extent<R>& e : host_extents_) {
-      all.drift = std::isnan(e.drift) ? e.drift : std::max(all.drift, e.drift);
-      all.motion = std::isnan(e.motion) ? e.motion : std::max(all.motion, e.motion);
-      if (std::isnan(all.drift)) break;
-    }
+    for (const Extent<R>& part : parts) all.widen(part);
     return all;
   }
+  /// The next place() begins anew.
+  void forget_extent() { afresh_ = true; }
+  /// Later ones go on; evaluations that leave no trace do not call it.
+  void keep_extent() { afresh_ = false; }
   /// From now on drift is measured from the present predicted positions.
   void mark() {
     backend_.copy_out(to_.get(), host_.data(), host_.size());
     set_reference();
   }
+  void save(detail::ByteWriter& out) const {
+    out.buffer(backend_, reference_, host_.size()).value(afresh_ ? Extent<R>{} : extent());
+  }
   void load(detail::ByteReader& in) {
     in.buffer(backend_, reference_, host_.size());
     backend_.copy_out(reference_.get(), host_.data(), host_.size());
+    std::fill(host_extents_.begin(), host_extents_.end(), Extent<R>{});
+    Extent<R> kept;
+    in.value(kept);
+    if (!host_extents_.empty()) host_extents_[0] = kept;
+    backend_.copy_in(host_extents_.data(), extents_.get(), host_extents_.size());
+    afresh_ = false;
   }
   /// Positions that drift is measured from, on the host  [point_count]
   void reference_to(std::vector<Vec3<double>>& x) const {
@@ -140,7 +152,8 @@ class SurfaceState {
   Buffer<int> side_around_begin_, side_around_;
   Buffer<Vec4<R>> to_, motion_, guess_, reference_;
   Buffer<Extent<R>> extents_;
-  std::vector<Extent<R>> host_extents_;
+  mutable std::vector<Extent<R>> host_extents_;
+  bool afresh_ = true;  ///< what extents_ holds is of no use any more
   std::vector<Vec4<R>> host_;  ///< copy of reference_
 };
 

@@ -44,11 +44,21 @@ struct SurfaceView {
   }
 };
 
-/// Largest squares over a chunk of nodes [m^2].
+/// Largest squares over a chunk of nodes, and over the steps since somebody looked [m^2].
 template <class R>
 struct Extent {
   R drift = R(0);   ///< of the distance from where the candidates were found, at both ends of the step
   R motion = R(0);  ///< of the motion in the step
+
+  GLISSON_HD void widen(const Extent& other) {
+    widen(drift, other.drift);
+    widen(motion, other.motion);
+  }
+
+ private:
+  GLISSON_HD static void widen(R& largest, R value) {
+    largest = value > largest || value != value ? value : largest;  // a NaN stays
+  }
 };
 
 template <class R>
@@ -60,6 +70,7 @@ struct PlaceSurface {
   const Vec4<R>* reference;           ///< positions that the candidates were found at [m]
   Extent<R>* extents;                 ///< [ceil(node_count / chunk)]
   R advance_per_force;                ///< [s^2]
+  bool afresh;                        ///< nobody wants the extents of the steps before
 
   using Sum = Extent<R>;
   GLISSON_HD int entry_count() const { return surface.node_count; }
@@ -73,21 +84,16 @@ struct PlaceSurface {
     surface.motion[k] = {d.x, d.y, d.z, R(0)};
     surface.guess[k] = {push.x, push.y, push.z, R(0)};
     const Vec3<R> drift = p - xyz(reference[k]), before = drift - d;
-    widen(extent.drift, dot(drift, drift));
-    widen(extent.drift, dot(before, before));
-    widen(extent.motion, dot(d, d));
+    extent.widen({dot(drift, drift), dot(d, d)});
+    extent.widen({dot(before, before), R(0)});
   }
-  GLISSON_HD static void join(Sum& a, const Sum& b) {
-    widen(a.drift, b.drift);
-    widen(a.motion, b.motion);
+  GLISSON_HD static void join(Sum& a, const Sum& b) { a.widen(b); }
+  GLISSON_HD void leave(int c, const Sum& extent) const {
+    Sum all = afresh ? Sum{} : extents[c];
+    all.widen(extent);
+    extents[c] = all;
   }
-  GLISSON_HD void leave(int c, const Sum& extent) const { extents[c] = extent; }
   GLISSON_HD void operator()(int c) const { run_chunk(*this, c); }
-
- private:
-  GLISSON_HD static void widen(R& largest, R value) {
-    largest = value > largest || value != value ? value : largest;  // a NaN stays
-  }
 };
 
 /// Points beside nodes follow the normal of the facets around them.

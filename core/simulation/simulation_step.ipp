@@ -93,9 +93,12 @@ void Simulation<B, R>::predict_and_touch(StepView<R>& view) const {
   if (!u_predicted_) return;
   predict(view);
   view.u_predicted = u_predicted_.get();
+  bool complete = true;  // all forces so far are in the prediction
   for (auto& body : parts_.bodies) {
+    if (!complete && body->needs_forces_before()) predict(view);
     body->add_forces(view);
-    if (body->moves_prediction()) predict(view);
+    complete = body->moves_prediction();
+    if (complete) predict(view);
   }
 }
 
