@@ -28,10 +28,9 @@ struct FindFacetTouch {
     const FacetsNear<R> group{surface, surface.position(node), facets + first, bias + first,
                               group_begin[g + 1] - first};
     NearestFacet<R> nearest;
-    nearest.find(group, t.nearest, limits.reach, limits.slack);
+    nearest.find(group, limits.reach, limits.slack);
     const Passage<R> passage = passed(group, node);
     t.friction = friction[g];
-    if (nearest.place >= 0) t.nearest = nearest.place;
     if (passage.facet >= 0 && t.came != came_from_behind)
       t.used = touch_passed(t, g, passage);
     else if (nearest.place >= 0)
@@ -73,7 +72,7 @@ struct FindFacetTouch {
                                 const NearestFacet<R>& nearest) const {
     const TrianglePoint<R>& foot = nearest.foot;
     const Vec3<R> way = to_point(group, nearest.place, foot.b);
-    const R out = dot(way, group.normal(nearest.place)), distance = square_root(foot.distance_squared);
+    const R out = dot(way, nearest.normal), distance = square_root(foot.distance_squared);
     const bool inside = foot.b[0] > R(1e-4) && foot.b[1] > R(1e-4) && foot.b[2] > R(1e-4);
     // beside the border of the facets that it faces a node is still held up to here, so that flush sides
     // that slip a little stay on each other

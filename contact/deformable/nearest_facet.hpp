@@ -4,6 +4,7 @@
 
 #include <glisson/contact/deformable/surface_view.hpp>
 #include <glisson/contact/geometry/closest_points.hpp>
+#include <glisson/contact/geometry/lanes.hpp>
 
 namespace glisson::contact {
 
@@ -42,6 +43,58 @@ struct FacetsNear {
   }
 };
 
+#ifdef __CUDACC__
+template <class R>
+constexpr int facets_together = 1;
+#else
+template <class R>
+constexpr int facets_together = Lanes<R>::width;
+#endif
+
+/// Facets of a list, measured together.
+template <class R, int most = facets_together<R>>
+struct FacetFeet {
+  int place[most];  ///< in the list
+  int count = 0;
+  TrianglePoint<R> foot[most];
+  R normal[most][3];
+
+  GLISSON_HD void measure(const FacetsNear<R>& group) {
+    if constexpr (most == 1) {
+      foot[0] = group.foot(place[0]);
+      set_normal(0, group.normal(place[0]));
+    }
+#ifndef __CUDACC__
+    if constexpr (most > 1) measure_lanes(group);
+#endif
+  }
+
+ private:
+  GLISSON_HD void set_normal(int l, const Vec3<R>& n) {
+    normal[l][0] = n.x, normal[l][1] = n.y, normal[l][2] = n.z;
+  }
+#ifndef __CUDACC__
+  void measure_lanes(const FacetsNear<R>& group) {
+    using L = Lanes<R>;
+    Vec3<L> x[3];
+    for (int l = 0; l < most; ++l)
+      for (int k = 0; k < 3; ++k) {
+        const Vec3<R> corner = group.corner(place[l < count ? l : 0], k);
+        x[k].x.v[l] = corner.x, x[k].y.v[l] = corner.y, x[k].z.v[l] = corner.z;
+      }
+    const Vec3<L> p{L(group.p.x), L(group.p.y), L(group.p.z)}, n = cross(x[1] - x[0], x[2] - x[0]);
+    const TrianglePoint<L> feet = closest_on_triangle(p, x[0], x[1], x[2]);
+    const L zero(R(0)), one(R(1)), squared = dot(n, n);
+    const L scale = one / square_root(select(squared > zero, squared, one));
+    const Vec3<L> unit = select(squared > zero, scale, zero) * n;
+    for (int l = 0; l < most; ++l) {
+      foot[l] = {{feet.b[0].v[l], feet.b[1].v[l], feet.b[2].v[l]}, feet.distance_squared.v[l]};
+      set_normal(l, {unit.x.v[l], unit.y.v[l], unit.z.v[l]});
+    }
+  }
+#endif
+};
+
 /// The facet with the least sum of distance and bias among those nearer than `reach`; of equal ones the
 /// first.
 template <class R>
@@ -50,53 +103,53 @@ struct NearestFacet {
   int place = -1;  ///< in the list; -1: none is near
   R away = R(0);   ///< distance and bias [m]
   TrianglePoint<R> foot{{R(0), R(0), R(0)}, R(0)};
+  Vec3<R> normal;
   /// Those that are away by less than `slack` more, and maybe others, in the order of the list.
-  int kept[most_kept];
   R kept_away[most_kept];
+  R kept_normal[most_kept][3];
   int kept_count = 0;
   bool complete = true;  ///< false: there are more
 
-  /// guess: place of a facet that is probably near. It is met first, so that few others pass the test of
-  /// their boxes, and does not change the result.
-  GLISSON_HD void find(const FacetsNear<R>& group, int guess, R reach, R slack) {
-    R best = R(2) * reach, bound = best;  // no facet that counts is farther than `bound`
-    TrianglePoint<R> guessed{{R(0), R(0), R(0)}, R(0)};
-    for (int j = -1; j < group.count; ++j) {
-      const int i = j < 0 ? guess : j;
-      const bool again = j >= 0 && i == guess;
-      if (j >= 0 && !again && !group.near_box(i, bound + slack - group.bias[i])) continue;
-      const TrianglePoint<R> point = again ? guessed : group.foot(i);
-      const R d = square_root(point.distance_squared), its = d + group.bias[i];
-      if (j < 0) {
-        guessed = point;
-        if (d < reach && its < bound) bound = its;
-        continue;
-      }
-      if (d < reach && d < best - group.bias[i]) {
-        place = i;
-        foot = point;
-        best = away = its;
-        bound = best < bound ? best : bound;
-      }
-      if (its < bound + slack) keep(i, its, bound + slack);
+  GLISSON_HD void find(const FacetsNear<R>& group, R reach, R slack) {
+    constexpr int most = facets_together<R>;
+    R bound = R(2) * reach;                    // no facet that counts is farther
+    const bool few = group.count <= 2 * most;  // a look at each box would take longer
+    FacetFeet<R> feet;
+    for (int i = 0; i < group.count; ++i) {
+      if (few || group.near_box(i, bound + slack - group.bias[i])) feet.place[feet.count++] = i;
+      if (feet.count < (i + 1 < group.count ? most : 1)) continue;
+      feet.measure(group);
+      for (int l = 0; l < feet.count; ++l) take(group, feet, l, reach, slack, bound);
+      feet.count = 0;
     }
   }
 
  private:
-  GLISSON_HD void keep(int i, R its, R most) {
+  GLISSON_HD void take(const FacetsNear<R>& group, const FacetFeet<R>& feet, int l, R reach, R slack,
+                       R& bound) {
+    const int i = feet.place[l];
+    const R d = square_root(feet.foot[l].distance_squared), its = d + group.bias[i];
+    if (d < reach && d < bound - group.bias[i]) {
+      place = i;
+      foot = feet.foot[l];
+      normal = {feet.normal[l][0], feet.normal[l][1], feet.normal[l][2]};
+      bound = away = its;
+    }
+    if (its < bound + slack) keep(its, feet.normal[l], bound + slack);
+  }
+  GLISSON_HD void keep(R its, const R (&its_normal)[3], R most) {
     if (kept_count == most_kept) {
       kept_count = 0;
       for (int k = 0; k < most_kept; ++k)
-        if (kept_away[k] < most) move(k);
+        if (kept_away[k] < most) put(kept_away[k], kept_normal[k]);
     }
     complete = complete && kept_count < most_kept;
-    if (!complete) return;
-    kept[kept_count] = i;
-    kept_away[kept_count++] = its;
+    if (complete) put(its, its_normal);
   }
-  GLISSON_HD void move(int k) {
-    kept[kept_count] = kept[k];
-    kept_away[kept_count++] = kept_away[k];
+  GLISSON_HD void put(R its, const R (&its_normal)[3]) {
+    kept_away[kept_count] = its;
+    for (int k = 0; k < 3; ++k) kept_normal[kept_count][k] = its_normal[k];
+    ++kept_count;
   }
 };
 
@@ -107,11 +160,12 @@ GLISSON_HD Vec3<R> mean_normal(const FacetsNear<R>& group, const NearestFacet<R>
   Vec3<R> sum;
   const int count = nearest.complete ? nearest.kept_count : group.count;
   for (int k = 0; k < count; ++k) {
-    const int i = nearest.complete ? nearest.kept[k] : k;
     const R away =
-        nearest.complete ? nearest.kept_away[k] : square_root(group.foot(i).distance_squared) + group.bias[i];
+        nearest.complete ? nearest.kept_away[k] : square_root(group.foot(k).distance_squared) + group.bias[k];
     const R weight = R(1) - (away - nearest.away) / slack;
-    if (weight > R(0)) sum = sum + weight * group.normal(i);
+    if (!(weight > R(0))) continue;
+    const R* kept = nearest.kept_normal[k < nearest.most_kept ? k : 0];
+    sum = sum + weight * (nearest.complete ? Vec3<R>{kept[0], kept[1], kept[2]} : group.normal(k));
   }
   return unit_or(sum, Vec3<R>{});
 }

@@ -129,9 +129,10 @@ struct MovePushed {
   SurfaceView<R> surface;
 
   GLISSON_HD void operator()(int i) const {
-    const int k = nodes.nodes[i], first = nodes.incident_begin[i];
+    const int k = nodes.nodes[i], first = nodes.incident_begin[i], count = nodes.pushing_count[i];
+    if (count == 0) return;  // as ListPushing left it
     Vec3<R> f;
-    for (int j = first; j < first + nodes.pushing_count[i]; ++j) {
+    for (int j = first; j < first + count; ++j) {
       const Touch<R>& t = touches[nodes.pushing[j] / most_touch_nodes];
       f = f + t.weight[nodes.pushing[j] % most_touch_nodes] * t.force;
     }

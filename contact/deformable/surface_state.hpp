@@ -153,7 +153,7 @@ class SurfaceState {
   Buffer<Vec4<R>> to_, motion_, guess_, reference_;
   Buffer<Extent<R>> extents_;
   mutable std::vector<Extent<R>> host_extents_;
-  bool afresh_ = true;  ///< what extents_ holds is of no use any more
+  bool afresh_ = true;         ///< what extents_ holds is of no use any more
   std::vector<Vec4<R>> host_;  ///< copy of reference_
 };
 

@@ -36,9 +36,8 @@ struct Touch {
   R pressing_ahead;            ///< the same extrapolated along the last change
   Vec3<R> rubbing_ahead;
   Vec3<R> force;  ///< sum of the two ahead, on the side of weight > 0 [N]
-  int nearest;    ///< place of the facet that was nearest last among those of the group; any one at first
   int came;       ///< TouchSide, of this and the next step
-  bool used;      ///< otherwise only `came`, `nearest` and `pressing`, which is then 0, mean anything
+  bool used;      ///< otherwise only `came` and `pressing`, which is then 0, mean anything
 };
 
 /// On which side of a thin thing something came near: inside of it, depth does not tell the side.

@@ -5,14 +5,16 @@
 // stationary point inside or lies on an edge of that domain, and the candidates are just these.
 #pragma once
 
+#include <glisson/core/numbers/functions.hpp>
 #include <glisson/core/tensor/tensor.hpp>
 
 namespace glisson::contact {
 
+/// R may be a pack of numbers in this and the next functions: nothing branches.
 template <class R>
 GLISSON_HD R within_unit(const R& t) {
-  const R low = t > R(0) ? t : R(0);  // NaN gives 0
-  return low < R(1) ? low : R(1);
+  const R low = select(t > R(0), t, R(0));  // NaN gives 0
+  return select(low < R(1), low, R(1));
 }
 
 /// Parameter in [0, 1] of the point of a, a + d that is closest to p (w = p - a); 0 for a segment of no
@@ -20,8 +22,8 @@ GLISSON_HD R within_unit(const R& t) {
 template <class R>
 GLISSON_HD R closest_on_segment(const Vec3<R>& w, const Vec3<R>& d) {
   const R length_squared = dot(d, d);
-  const R ratio = dot(w, d) / (length_squared > R(0) ? length_squared : R(1));
-  return length_squared > R(0) ? within_unit(ratio) : R(0);
+  const R ratio = dot(w, d) / select(length_squared > R(0), length_squared, R(1));
+  return select(length_squared > R(0), within_unit(ratio), R(0));
 }
 
 /// A point of a triangle as weights of its corners, which sum to 1, and how far it is.
@@ -38,9 +40,15 @@ GLISSON_HD TrianglePoint<R> triangle_candidate(const Vec3<R>& ap, const Vec3<R>&
   const Vec3<R> q = ap - b * ab - c * ac;
   return {{R(1) - b - c, b, c}, dot(q, q)};
 }
+/// b where the mask says so.
+template <class R, class Mask>
+GLISSON_HD TrianglePoint<R> replaced(const TrianglePoint<R>& a, Mask mask, const TrianglePoint<R>& b) {
+  return {{select(mask, b.b[0], a.b[0]), select(mask, b.b[1], a.b[1]), select(mask, b.b[2], a.b[2])},
+          select(mask, b.distance_squared, a.distance_squared)};
+}
 template <class R>
 GLISSON_HD TrianglePoint<R> nearer(const TrianglePoint<R>& a, const TrianglePoint<R>& b) {
-  return b.distance_squared < a.distance_squared ? b : a;
+  return replaced(a, b.distance_squared < a.distance_squared, b);
 }
 
 template <class R>
@@ -55,10 +63,11 @@ GLISSON_HD TrianglePoint<R> closest_on_triangle(const Vec3<R>& p, const Vec3<R>&
   // inside: weights by areas; a foot outside is no candidate, a flat triangle has none
   const Vec3<R> n = cross(ab, ac);
   const R area = dot(n, n);
-  const R scale = R(1) / (area > R(0) ? area : R(1));
+  const R scale = R(1) / select(area > R(0), area, R(1));
   const R weight_b = dot(cross(ap, ac), n) * scale, weight_c = dot(cross(ab, ap), n) * scale;
-  const bool inside = area > R(0) && weight_b >= R(0) && weight_c >= R(0) && weight_b + weight_c <= R(1);
-  return inside ? nearer(best, triangle_candidate(ap, ab, ac, weight_b, weight_c)) : best;
+  const TrianglePoint<R> inner = triangle_candidate(ap, ab, ac, weight_b, weight_c);
+  const auto inside = (area > R(0)) & (weight_b >= R(0)) & (weight_c >= R(0)) & (weight_b + weight_c <= R(1));
+  return replaced(best, inside & (inner.distance_squared < best.distance_squared), inner);
 }
 
 /// Points p + s (p1 - p) and q + t (q1 - q) of two segments.
