@@ -26,6 +26,9 @@ struct SurfaceForce : LastForces<R> {
   R friction;           ///< [-]
   R share;              ///< of the depth that the step takes back: 1, less of penalties [-]
   R close;              ///< epsilon_r: gap below which an approach is slowed [m]
+  /// Of forces that were asked for last: nothing was near on the way of the node, nor at its beginning, so
+  /// that a report need not look there again  [entry_count]
+  unsigned char* far_off;
 
   /// Motion relative to the surface. Differences come first, so that float keeps a slow slip.
   GLISSON_HD Vec3<R> slip(int i, int n) const {
@@ -33,18 +36,25 @@ struct SurfaceForce : LastForces<R> {
     return transposed_times(turn, xyz(to[n]) - xyz(from[n]) - shifted) + transposed_times(turned, before);
   }
   /// Depth -gap in front of the surface, down to -close, from where on there is nothing.
-  GLISSON_HD Penetration<R> penetration(int i, int n, const Vec3<R>& slipped) const {
+  GLISSON_HD Penetration<R> penetration(int i, int n, const Vec3<R>& slipped, bool& far) const {
     const Vec3<R> q = transposed_times(turn, xyz(X[i]) + xyz(to[n]) - shift - shifted);
-    Penetration<R> p = shape(q - slipped, q, X[i].w + close);
+    Penetration<R> p = shape.penetration(q - slipped, q, X[i].w + close, far);
     p.depth -= close;
     return p;
   }
-  GLISSON_HD Penetration<R> penetration(int i, int n) const { return penetration(i, n, slip(i, n)); }
+  GLISSON_HD Penetration<R> penetration(int i, int n) const {
+    bool far;
+    Penetration<R> none;
+    none.depth = R(0) - close;
+    return far_off[i] ? none : penetration(i, n, slip(i, n), far);
+  }
   GLISSON_HD Vec3<R> force(int i, int n) const {
     const R mobility = advance_per_force * v[n].w;
-    if (!(mobility > R(0))) return {};
+    bool far = false;
     const Vec3<R> path = slip(i, n);
-    const Penetration<R> p = penetration(i, n, path);
+    const Penetration<R> p = penetration(i, n, path, far);
+    far_off[i] = far;
+    if (!(mobility > R(0))) return {};
     const R along = dot(path, p.out), push = push_of(p, along);  // all forces divide by the mobility
     if (!(push > R(0))) return {};
     const Vec3<R> aside = path - along * p.out;
@@ -85,6 +95,7 @@ class SurfaceContact final : public ListContact<B, R> {
         reach_(R(data.reach)),
         close_(R(close)),
         node_count_(static_cast<int>(data.nodes.size())),
+        far_off_(detail::zeros<unsigned char>(backend, nodes.size())),
         nodes_(detail::upload(backend, nodes_of_tree(data))),
         facets_(detail::upload(backend, facets_of_surface(data))) {}
 
@@ -139,12 +150,14 @@ class SurfaceContact final : public ListContact<B, R> {
     rule.friction = R(surface_.friction);
     rule.share = R(surface_.penalty.value_or(1));
     rule.close = close_;
+    rule.far_off = far_off_.get();
     return rule;
   }
 
   RigidSurface surface_;
   R reach_, close_;
   int node_count_;
+  Buffer<unsigned char> far_off_;  ///< no state: set in each step before it is read
   Buffer<SurfaceNode<R>> nodes_;
   Buffer<SurfaceFacet<R>> facets_;
 };

@@ -41,6 +41,12 @@ struct SurfaceShape {
   /// same side: so it may cross a whole thin body in one step. The search grows with the path.
   /// offset: how far from the surface the point is held, along the smooth normal [m]
   GLISSON_HD Penetration<R> operator()(const Vec3<R>& from, const Vec3<R>& to, R offset = R(0)) const {
+    bool far;
+    return penetration(from, to, offset, far);
+  }
+  /// far: no facet is so near to the path that a point anywhere on it could be in contact.
+  GLISSON_HD Penetration<R> penetration(const Vec3<R>& from, const Vec3<R>& to, R offset, bool& far) const {
+    far = true;
     const Vec3<R> path = to - from;
     const R radius = reach + offset + square_root(dot(path, path));
     R nearest = radius * radius;
@@ -54,6 +60,7 @@ struct SurfaceShape {
       }
       ++n;
       if (node.facet < 0) continue;
+      far = false;
       const SmoothTriangle<R>& t = facets[node.facet].smooth;
       const R d = closest_on_triangle(to, t.x[0], t.x[1], t.x[2]).distance_squared;
       if (d < nearest) {
