@@ -135,8 +135,9 @@ TYPED_TEST(RigidSurfaces, WhatIsSlowedPressesAndRubs) {
     ASSERT_LE(scene.position(0).z, last + scene.bench.tolerance());
     last = scene.position(0).z;
   }
-  EXPECT_NEAR(last, 0, 1e-4);
-  EXPECT_GE(last, -10 * scene.bench.tolerance());
+  // the gap that slows is that at the end of a free step: a node rests where such a step ends at the surface
+  const double rest = 10 * 0.01 * 0.01;
+  EXPECT_NEAR(last, rest, 0.01 * rest);
   EXPECT_NEAR(scene.report().force.z, 20, 0.2);
   EXPECT_LT(scene.bench.u[0].x, 0.02) << "until it presses it slips a little; freely 25";
 }
