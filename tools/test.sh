@@ -125,17 +125,22 @@ stage_pictures() {
   run_ctest "pictures" build-release --tests-regex '^viz\.'
 }
 
+# What takes longest under a sanitizer and goes through no code that shorter tests do not.
+long_runs='^app\.contact_examples|StaticAccuracy|AThrownBall|TenThousandScenes|AGluedCantilever|BodyContactHertz'
+long_runs+='|ASheetOfHexahedra|ABallComesBack|ABallDoesNotPass|AgainstTheDoubleReference|Repeatability.*Emulated'
+
 stage_asan() {
   export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:allocator_may_return_null=1
   export UBSAN_OPTIONS=print_stacktrace=1
   build asan || return 0
-  run_ctest "address and undefined sanitizers" build-asan --exclude-regex '^checks\.'
+  run_ctest "address and undefined sanitizers" build-asan --exclude-regex "^checks\.|$long_runs"
 }
 
 stage_tsan() {
   export TSAN_OPTIONS=halt_on_error=1
   build tsan test_cpu test_scenarios test_run test_contact test_shells || return 0
-  run_ctest "thread sanitizer" build-tsan --tests-regex 'Team|Threads|PatchSolids|Repeatability|Checkpoint|^Ensemble'
+  run_ctest "thread sanitizer" build-tsan --tests-regex 'Team|Threads|PatchSolids|Repeatability|Checkpoint|^Ensemble' \
+    --exclude-regex "/Serial|/Emulated|/ThreadsDouble|$long_runs"
 }
 
 # Every kernel compiled for one architecture: calls from device to host code and spills of the kernels in float are errors.
