@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glisson/contact/bvh/node_regions.hpp>
+
 namespace glisson::contact {
 namespace {
 
@@ -14,15 +16,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 PairSearch::PairSearch(const Hierarchy& hierarchy, std::span<const int> region, MayTouch may_touch)
-    : may_touch_(std::move(may_touch)), region_(at(hierarchy.node_count()), -1), parts_(part_count) {
-  for (const int n : hierarchy.by_level) {
-    const Hierarchy::Node& node = hierarchy.nodes[at(n)];
-    int its = node.triangle >= 0 ? region[at(node.triangle)] : region_[at(node.child[0])];
-    for (const int c : node.child)
-      if (c >= 0 && region_[at(c)] != its) its = -1;
-    region_[at(n)] = its;
-    if (node.triangle < 0 && node.connected && this->may_touch(n, n)) uses_cones_ = true;
-  }
+    : may_touch_(std::move(may_touch)), parts_(part_count) {
+  NodeRegions regions = node_regions(hierarchy, region, may_touch_);
+  region_ = std::move(regions.of_node);
+  uses_cones_ = regions.uses_cones;
 }
 
 bool PairSearch::may_touch(int a, int b) const {

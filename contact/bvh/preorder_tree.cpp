@@ -1,5 +1,7 @@
 #include <glisson/contact/bvh/preorder_tree.hpp>
 
+#include <glisson/contact/bvh/node_regions.hpp>
+
 namespace glisson::contact {
 namespace {
 
@@ -37,23 +39,15 @@ void copy_nodes(const Hierarchy& h, const std::vector<int>& place, PreorderTree&
   }
 }
 
-void set_regions(const SearchRegions& regions, PreorderTree& tree) {
+void set_regions(const Hierarchy& h, const std::vector<int>& place, const SearchRegions& regions,
+                 PreorderTree& tree) {
   tree.region_count = regions.count;
   for (int i = 0; i < regions.count; ++i)
     for (int j = 0; j < regions.count; ++j) tree.may_touch.push_back(regions.may_touch(i, j) ? 1 : 0);
-  tree.region.assign(tree.skip.size(), -1);
-  for (const int n : tree.by_level) {
-    if (tree.triangle[at(n)] >= 0) {
-      tree.region[at(n)] = regions.of_triangle[at(tree.triangle[at(n)])];
-      continue;
-    }
-    int its = tree.region[at(n + 1)];
-    for (int child = n + 1; child < tree.skip[at(n)]; child = tree.skip[at(child)])
-      if (tree.region[at(child)] != its) its = -1;
-    tree.region[at(n)] = its;
-    const bool itself = its < 0 || tree.may_touch[at(its * regions.count + its)];
-    if (tree.connected[at(n)] && itself) tree.uses_cones = true;
-  }
+  const NodeRegions its = node_regions(h, regions.of_triangle, regions.may_touch);
+  tree.region.resize(place.size());
+  for (std::size_t n = 0; n < place.size(); ++n) tree.region[at(place[n])] = its.of_node[n];
+  tree.uses_cones = its.uses_cones;
 }
 
 }  // namespace
@@ -63,8 +57,9 @@ PreorderTree preorder_tree(const Hierarchy& h, std::span<const Triangle> triangl
   PreorderTree tree;
   tree.leaf.resize(triangles.size());
   for (const Triangle& t : triangles) tree.corners.insert(tree.corners.end(), t.begin(), t.end());
-  copy_nodes(h, preorder(h), tree);
-  set_regions(regions, tree);
+  const std::vector<int> place = preorder(h);
+  copy_nodes(h, place, tree);
+  set_regions(h, place, regions, tree);
   tree.level_begin = h.level_begin;
   tree.rule = h.settings.cones;
   return tree;

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <glisson/core/array_sum.hpp>
 #include <glisson/core/solids/block_material.hpp>
 #include <glisson/core/solids/patch_arrays.hpp>
 #include <glisson/core/solids/patch_kernels.hpp>
+#include <glisson/core/solids/shared_arrays.hpp>
 #include <glisson/core/solids/solid_forces.hpp>
 
 namespace glisson {
@@ -21,8 +23,8 @@ class StagedSolids final : public SolidForces<R> {
 
   Space space() const override { return B::space; }
   void add_forces(const StepView<R>& step) override {
-    const SharedForces<R> left = add_all_but_shared(step);
-    backend_.for_each(shared_count_, AddSharedForces<R>{shared_nodes_.get(), left, step.f});
+    add_all_but_shared(step);
+    shared_->add(backend_, step.f);
   }
   SharedForces<R> add_all_but_shared(const StepView<R>& step) override;
   double strain_energy(const StepView<R>& step) override {
@@ -70,10 +72,9 @@ class StagedSolids final : public SolidForces<R> {
   }
 
   B& backend_;
-  int element_count_ = 0, shared_count_ = 0;
+  int element_count_ = 0;
   std::vector<Block> blocks_;
-  Buffer<int> shared_nodes_, shared_begin_, shared_of_node_;
-  Buffer<Vec4<R>> slot_force_;
+  std::optional<SharedArrays<B, R>> shared_;                   ///< always there once constructed
   Buffer<R> slot_pressure_, nodal_pressure_, inverse_volume_;  ///< T4ANP only
   Buffer<double> energy_;
   Buffer<R> memory_;  ///< of all patches of a block, where the backend has none on chip
@@ -93,17 +94,13 @@ StagedSolids<B, R>::StagedSolids(B& backend, const Model& model, const Numbering
   const int node_count = model.mesh.node_count();
   auto hosts = make_host_blocks<R>(model, numbering);
   const PatchCut cut = cut_into_patches(hosts, node_count);
-  shared_count_ = cut.shared.count();
-  shared_nodes_ = upload(cut.shared.nodes);
-  shared_begin_ = upload(cut.shared.begin);
-  shared_of_node_ = upload(cut.shared.shared_of_node);
-  const auto slots = static_cast<std::size_t>(cut.shared.slot_count());
-  slot_force_ = upload(std::vector<Vec4<R>>(slots));
+  shared_.emplace(backend_, cut.shared);
+  bytes_ += shared_->bytes();
   const auto inverse_volume = inverse_volumes(hosts, node_count);
   if (!inverse_volume.empty()) {
     inverse_volume_ = upload(inverse_volume);
     // patches of other formulations leave their slots at zero
-    slot_pressure_ = upload(std::vector<R>(slots));
+    slot_pressure_ = upload(std::vector<R>(static_cast<std::size_t>(cut.shared.slot_count())));
     nodal_pressure_ = upload(std::vector<R>(inverse_volume.size()));
   }
   for (const auto& host : hosts) element_count_ += host.element_count;
@@ -129,11 +126,10 @@ void StagedSolids<B, R>::add_block(HostBlock<R> host, const HostPatches& patches
   PatchView<R> view{};
   PatchArrays arrays(backend_, patches, view);
   bytes_ += arrays.bytes();
-  view.slot_force = slot_force_.get();
+  shared_->connect(view);
   view.slot_pressure = slot_pressure_.get();
   view.nodal_pressure = nodal_pressure_.get();
   view.inverse_volume = inverse_volume_.get();
-  view.shared_begin = shared_begin_.get();
   Block block{{backend_, std::move(host)}, kernels, threads, view, std::move(constants), std::move(arrays)};
   block.material.connect(block.view.block);
   bytes_ += block.material.memory_bytes();
@@ -149,7 +145,7 @@ SharedForces<R> StagedSolids<B, R>::add_all_but_shared(const StepView<R>& step) 
     block.material.set_step(step.dt);
     run(block, block.kernels->forces, step, step.advance);
   }
-  return {shared_of_node_.get(), shared_begin_.get(), slot_force_.get()};
+  return shared_->left();
 }
 
 }  // namespace glisson

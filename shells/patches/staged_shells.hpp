@@ -7,38 +7,13 @@
 
 #include <glisson/core/solids/patch_arrays.hpp>
 #include <glisson/core/solids/run_phases.hpp>
+#include <glisson/core/solids/shared_arrays.hpp>
 #include <glisson/shells/patches/bodies.hpp>
 #include <glisson/shells/patches/host_patches.hpp>
 #include <glisson/shells/patches/make_staged_shells.hpp>
 #include <glisson/shells/section_forces.hpp>
 
 namespace glisson::shells {
-
-/// Nodes that several patches have, with their slots.
-template <Backend B, class R>
-class SharedArrays {
- public:
-  SharedArrays(B& backend, const SharedNodes& shared)
-      : count_(shared.count()),
-        nodes_(detail::upload(backend, shared.nodes)),
-        begin_(detail::upload(backend, shared.begin)),
-        of_node_(detail::upload(backend, shared.shared_of_node)),
-        force_(detail::zeros<Vec4<R>>(backend, static_cast<std::size_t>(shared.slot_count()))) {}
-
-  void connect(PatchView<R>& view) const {
-    view.slot_force = force_.get();
-    view.shared_begin = begin_.get();
-  }
-  SharedForces<R> left() const { return {of_node_.get(), begin_.get(), force_.get()}; }
-  void add(B& backend, Vec4<R>* f) const {
-    backend.for_each(count_, AddSharedForces<R>{nodes_.get(), left(), f});
-  }
-
- private:
-  int count_;
-  Buffer<int> nodes_, begin_, of_node_;
-  Buffer<Vec4<R>> force_;
-};
 
 /// What a section keeps of the rest state.
 template <Backend B, class R>

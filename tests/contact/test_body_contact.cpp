@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include <tests/contact/bodies.hpp>
+#include <tests/contact/body_scenes.hpp>
 #include <tests/support/same_bits.hpp>
 
 namespace glisson::test {
@@ -84,22 +84,6 @@ TEST_P(BodyContacts, AUniformStressPassesAnInterfaceThatDoesNotMatch) {
     EXPECT_NEAR(low / high, 1, bound);
     EXPECT_LT(side, 1e-3 * std::abs(low));
   }
-}
-
-/// A small block that slides on a larger one, obliquely, with friction.
-Model sliding_block() {
-  Model model;
-  const Material rubber{"NH", mu_kappa(1e4, 0.3), 1000};
-  add_body(model, box_mesh({24, 24, 2}, {0.24, 0.24, 0.02}, Shape::tetrahedron, 0.1), Formulation::t4,
-           rubber);
-  Mesh upper = box_mesh({17, 16, 3}, {0.12, 0.12, 0.03}, Shape::hexahedron);
-  move(upper, {0.05, 0.04, 0.0201});
-  const Body block = add_body(model, upper, Formulation::h8, rubber);
-  model.initial_velocities.push_back({block.nodes(), {0.1, 0.05, -0.05}});
-  model.contact.between_bodies = true;
-  model.contact.friction = 0.4;
-  model.time.total = 0.03;
-  return model;
 }
 
 TEST_P(BodyContacts, KeepMomentumWithFriction) {

@@ -2,7 +2,7 @@
 // holds, self-contact, restart.
 #include <gtest/gtest.h>
 
-#include <tests/contact/bodies.hpp>
+#include <tests/contact/body_scenes.hpp>
 #include <tests/contact/overlap_check.hpp>
 #include <tests/support/same_bits.hpp>
 
@@ -11,20 +11,9 @@ namespace {
 
 class BodyPenalties : public Matrix {};
 
-/// A small block that flies at a larger one, obliquely, with friction.
 Model sliding_block(const PenaltyShare& penalty) {
-  Model model;
-  const Material rubber{"NH", mu_kappa(1e4, 0.3), 1000};
-  add_body(model, box_mesh({24, 24, 2}, {0.24, 0.24, 0.02}, Shape::tetrahedron, 0.1), Formulation::t4,
-           rubber);
-  Mesh upper = box_mesh({17, 16, 3}, {0.12, 0.12, 0.03}, Shape::hexahedron);
-  move(upper, {0.05, 0.04, 0.0201});
-  const Body block = add_body(model, upper, Formulation::h8, rubber);
-  model.initial_velocities.push_back({block.nodes(), {0.1, 0.05, -0.05}});
-  model.contact.between_bodies = true;
-  model.contact.friction = 0.4;
+  Model model = test::sliding_block();
   model.contact.penalty = penalty;
-  model.time.total = 0.03;
   return model;
 }
 
@@ -89,20 +78,8 @@ struct Pressed {
   double depth, force;
 };
 Pressed press(double by, const PenaltyShare& penalty) {
-  Model model;
-  const Material soft{"NH", mu_kappa(3000, 0.45), 1000};
-  add_body(model, box_mesh({6, 6, 5}, {0.06, 0.06, 0.03}, Shape::tetrahedron), Formulation::t4, soft);
-  Mesh upper = box_mesh({7, 7, 5}, {0.06, 0.06, 0.03}, Shape::tetrahedron);
-  move(upper, {0, 0, 0.03});
-  const Body above = add_body(model, upper, Formulation::t4, soft);
-  model.fixed.push_back({face(model.mesh, 2, 0), 4});
-  model.fixed.push_back({face(model.mesh, 0, 0), 1});
-  model.fixed.push_back({face(model.mesh, 1, 0), 2});
-  model.displacements.push_back({face(model.mesh, 2, 0.06), 4, {-0.06 * by}, smooth_curve(0.5)});
-  model.contact.between_bodies = true;
+  auto [model, above] = pressed_blocks(by, 0.5, 40);
   model.contact.penalty = penalty;
-  model.time.total = 1;
-  model.time.damping = 40;
   auto simulation = simulate(model, threads_float);
   while (!simulation->finished()) simulation->step(100);
   double force = 0;

@@ -1,27 +1,14 @@
 // Deformable bodies that are pressed hard.
 #include <gtest/gtest.h>
 
-#include <tests/contact/bodies.hpp>
+#include <tests/contact/body_scenes.hpp>
 
 namespace glisson::test {
 namespace {
 
-/// Two soft blocks of tetrahedra on each other, 6 x 6 and 7 x 7 cells at the interface, free to spread, by 40
-/// and by 60 %. (Hexahedra with one point buckle there without any contact.)
+/// By 40 and by 60 %.
 void press_soft_blocks(double share) {
-  Model model;
-  const Material soft{"NH", mu_kappa(3000, 0.45), 1000};
-  add_body(model, box_mesh({6, 6, 5}, {0.06, 0.06, 0.03}, Shape::tetrahedron), Formulation::t4, soft);
-  Mesh upper = box_mesh({7, 7, 5}, {0.06, 0.06, 0.03}, Shape::tetrahedron);
-  move(upper, {0, 0, 0.03});
-  const Body above = add_body(model, upper, Formulation::t4, soft);
-  model.fixed.push_back({face(model.mesh, 2, 0), 4});
-  model.fixed.push_back({face(model.mesh, 0, 0), 1});
-  model.fixed.push_back({face(model.mesh, 1, 0), 2});
-  model.displacements.push_back({face(model.mesh, 2, 0.06), 4, {-0.06 * share}, smooth_curve(1)});
-  model.contact.between_bodies = true;
-  model.time.total = 1;
-  model.time.damping = 20;
+  const auto [model, above] = pressed_blocks(share, 1, 20);
   auto simulation = simulate(model, threads_float);
   while (!simulation->finished()) simulation->step(100);
   const auto report = simulation->contacts().at(0).report;
