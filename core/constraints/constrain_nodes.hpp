@@ -41,6 +41,14 @@ struct ConstraintView {
     }
     return b;
   }
+  /// u and v of a node with the constraints of entry i.
+  template <class R>
+  GLISSON_HD void constrain(int i, Vec4<R>& u, Vec4<R>& v, const CurveValues& displacement,
+                            const CurveValues& velocity) const {
+    const Vec3<R> p = constrain(i, xyz(u), displacement), w = constrain(i, xyz(v), velocity);
+    u = {p.x, p.y, p.z, u.w};
+    v = {w.x, w.y, w.z, v.w};
+  }
 };
 
 /// u(n+1) and v(n+1/2) of constrained nodes, exactly.
@@ -55,9 +63,7 @@ struct ConstrainNodes {
   GLISSON_HD int node(int i) const { return list.nodes[i]; }
   GLISSON_HD void operator()(int i) const {
     const int n = list.nodes[i];
-    const Vec3<R> p = list.constrain(i, xyz(u[n]), displacement), w = list.constrain(i, xyz(v[n]), velocity);
-    u[n] = {p.x, p.y, p.z, u[n].w};
-    v[n] = {w.x, w.y, w.z, v[n].w};
+    list.constrain(i, u[n], v[n], displacement, velocity);
   }
 };
 

@@ -23,16 +23,12 @@ struct NodeConstraints {
   /// f with the reaction of entry i; adds twice its work per half_dt to `sum`.
   GLISSON_HD Vec4<R> react(int i, const Vec4<R>& v, const Vec4<R>& f, double& sum) const {
     const Vec3<R> before = reaction.before(i, 0), g = reaction.of(i, v, f);
-    sum += (double(before.x) + double(g.x)) * double(v.x) + (double(before.y) + double(g.y)) * double(v.y) +
-           (double(before.z) + double(g.z)) * double(v.z);
+    sum += twice_power(before, g, v);
     reaction.remember(i, share * g);
     return {f.x + g.x, f.y + g.y, f.z + g.z, f.w};
   }
   GLISSON_HD void constrain(int i, Vec4<R>& u, Vec4<R>& v) const {
-    const Vec3<R> p = reaction.list.constrain(i, xyz(u), displacement),
-                  w = reaction.list.constrain(i, xyz(v), reaction.velocity);
-    u = {p.x, p.y, p.z, u.w};
-    v = {w.x, w.y, w.z, v.w};
+    reaction.list.constrain(i, u, v, displacement, reaction.velocity);
   }
 };
 

@@ -36,7 +36,14 @@ struct AddForces {
   GLISSON_HD void operator()(int i) const { add(i); }
 };
 
-/// The same over chunks of entries, with the work of the step that ended now, (g(n-1) + g(n))/2 . dt
+/// (g(n-1) + g(n)) . v(n-1/2), in double: times half the step it is the work of a force [W].
+template <class R>
+GLISSON_HD double twice_power(const Vec3<R>& before, const Vec3<R>& g, const Vec4<R>& v) {
+  return (double(before.x) + double(g.x)) * double(v.x) + (double(before.y) + double(g.y)) * double(v.y) +
+         (double(before.z) + double(g.z)) * double(v.z);
+}
+
+/// AddForces over chunks of entries, with the work of the step that ended now, (g(n-1) + g(n))/2 . dt
 /// v(n-1/2), in double.
 template <class R, class Rule>
 struct AddForcesWithWork {
@@ -56,9 +63,7 @@ struct AddForcesWithWork {
     const int n = forces.node(i);
     const Vec3<R> before = forces.rule.before(i, n);
     const Vec3<R> g = forces.add(i);
-    sum += (double(before.x) + double(g.x)) * double(v[n].x) +
-           (double(before.y) + double(g.y)) * double(v[n].y) +
-           (double(before.z) + double(g.z)) * double(v[n].z);
+    sum += twice_power(before, g, v[n]);
     forces.rule.remember(i, share * g);
   }
   GLISSON_HD static void join(Sum& a, const Sum& b) { a += b; }
