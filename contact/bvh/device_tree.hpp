@@ -3,8 +3,7 @@
 // of node n is n ... skip[n] - 1. Plain data and loop bodies.
 #pragma once
 
-#include <glisson/contact/bvh/box.hpp>
-#include <glisson/contact/bvh/normal_cone.hpp>
+#include <glisson/contact/bvh/fit_node.hpp>
 
 namespace glisson::contact {
 
@@ -39,25 +38,18 @@ struct RefitLevel {
 
   GLISSON_HD void operator()(int i) const {
     const int n = nodes[i];
-    tree.triangle[n] >= 0 ? refit_leaf(n) : refit_inner(n);
+    if (tree.triangle[n] < 0) return fit_inner(*this, n, cones);
+    const int* c = tree.corners + 3 * tree.triangle[n];
+    fit_leaf(*this, n, x[c[0]], x[c[1]], x[c[2]], cones);
   }
 
- private:
-  GLISSON_HD void refit_leaf(int n) const {
-    const int* c = tree.corners + 3 * tree.triangle[n];
-    const Vec3<double> a = x[c[0]], b = x[c[1]], d = x[c[2]];
-    tree.box[n] = inflated(united(united(Box{a, a}, b), d), margin);
-    if (cones) tree.cone[n] = cone_of(cross(b - a, d - a));
-  }
-  GLISSON_HD void refit_inner(int n) const {
-    Box box = tree.box[n + 1];
-    NormalCone cone = tree.connected[n] ? NormalCone{} : any_direction();
-    for (int child = n + 1; child < tree.skip[n]; child = tree.skip[child]) {
-      box = united(box, tree.box[child]);
-      if (cones) cone = merged(cone, tree.cone[child], rule);
-    }
-    tree.box[n] = box;
-    if (cones) tree.cone[n] = cone;
+  /// As fit_node.hpp wants it.
+  GLISSON_HD bool connected(int n) const { return tree.connected[n] != 0; }
+  GLISSON_HD Box& box(int n) const { return tree.box[n]; }
+  GLISSON_HD NormalCone& cone(int n) const { return tree.cone[n]; }
+  template <class Use>
+  GLISSON_HD void for_each_child(int n, const Use& use) const {
+    for (int child = n + 1; child < tree.skip[n]; child = tree.skip[child]) use(child);
   }
 };
 

@@ -1,55 +1,49 @@
 #include <glisson/contact/bvh/hierarchy.hpp>
 
+#include <glisson/contact/bvh/fit_node.hpp>
+
 namespace glisson::contact {
 namespace {
 
 using Nodes = std::span<const Vec3<double>>;
 
-Vec3<double> corner(Nodes x, const Triangle& triangle, std::size_t k) {
-  return x[static_cast<std::size_t>(triangle[k])];
-}
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-NormalCone leaf_cone(const Triangle& triangle, Nodes x) {
-  const Vec3<double> a = corner(x, triangle, 0);
-  return cone_of(cross(corner(x, triangle, 1) - a, corner(x, triangle, 2) - a));
+/// As fit_node.hpp wants it.
+struct HostTree {
+  Hierarchy& h;
+  double margin = h.settings.margin;
+  ConeRule rule = h.settings.cones;
+
+  bool connected(int n) const { return h.nodes[at(n)].connected; }
+  Box& box(int n) const { return h.box[at(n)]; }
+  NormalCone& cone(int n) const { return h.cone[at(n)]; }
+  template <class Use>
+  void for_each_child(int n, Use&& use) const {
+    for (const int c : h.nodes[at(n)].child)
+      if (c >= 0) use(c);
+  }
+};
+
+void fit(Hierarchy& h, int n, std::span<const Triangle> triangles, Nodes x, bool cones) {
+  const HostTree tree{h};
+  if (!h.is_leaf(n)) return fit_inner(tree, n, cones);
+  const Triangle& t = triangles[at(h.nodes[at(n)].triangle)];
+  fit_leaf(tree, n, x[at(t[0])], x[at(t[1])], x[at(t[2])], cones);
 }
 
 }  // namespace
 
-void refit_box(Hierarchy& h, int node, std::span<const Triangle> triangles, Nodes x, Nodes x_next) {
-  const auto n = static_cast<std::size_t>(node);
-  const Hierarchy::Node& it = h.nodes[n];
-  Box box;
-  if (it.triangle >= 0) {
-    const Triangle& triangle = triangles[static_cast<std::size_t>(it.triangle)];
-    for (std::size_t k = 0; k < 3; ++k) {
-      box = united(box, corner(x, triangle, k));
-      if (!x_next.empty()) box = united(box, corner(x_next, triangle, k));
-    }
-    box = inflated(box, h.settings.margin);
-  } else {
-    for (const int c : it.child)
-      if (c >= 0) box = united(box, h.box[static_cast<std::size_t>(c)]);
-  }
-  h.box[n] = box;
+void refit_box(Hierarchy& h, int n, std::span<const Triangle> triangles, Nodes x) {
+  fit(h, n, triangles, x, false);
 }
 
-void refit_node(Hierarchy& h, int node, std::span<const Triangle> triangles, Nodes x, Nodes x_next) {
-  refit_box(h, node, triangles, x, x_next);
-  const auto n = static_cast<std::size_t>(node);
-  const Hierarchy::Node& it = h.nodes[n];
-  if (it.triangle >= 0) {
-    h.cone[n] = leaf_cone(triangles[static_cast<std::size_t>(it.triangle)], x_next.empty() ? x : x_next);
-    return;
-  }
-  NormalCone cone = it.connected ? NormalCone{} : any_direction();
-  for (const int c : it.child)
-    if (c >= 0) cone = merged(cone, h.cone[static_cast<std::size_t>(c)], h.settings.cones);
-  h.cone[n] = cone;
+void refit_node(Hierarchy& h, int n, std::span<const Triangle> triangles, Nodes x) {
+  fit(h, n, triangles, x, true);
 }
 
-void refit(Hierarchy& hierarchy, std::span<const Triangle> triangles, Nodes x, Nodes x_next) {
-  for (const int n : hierarchy.by_level) refit_node(hierarchy, n, triangles, x, x_next);
+void refit(Hierarchy& h, std::span<const Triangle> triangles, Nodes x) {
+  for (const int n : h.by_level) refit_node(h, n, triangles, x);
 }
 
 }  // namespace glisson::contact

@@ -45,16 +45,14 @@ struct Hierarchy {
 Hierarchy build_hierarchy(std::span<const Triangle> triangles, std::span<const Vec3<double>> x,
                           const HierarchySettings& settings);
 
-/// Refits every box and cone, level by level (algorithm 5.4). A leaf's box holds its triangle at x and, if
-/// given, at x_next: what moves in a straight line between the two stays in it.
-void refit(Hierarchy& hierarchy, std::span<const Triangle> triangles, std::span<const Vec3<double>> x,
-           std::span<const Vec3<double>> x_next = {});
+/// Refits every box and cone, level by level (algorithm 5.4).
+void refit(Hierarchy& hierarchy, std::span<const Triangle> triangles, std::span<const Vec3<double>> x);
 
 /// Refits one node; of an interior node from its children.
 void refit_node(Hierarchy& hierarchy, int n, std::span<const Triangle> triangles,
-                std::span<const Vec3<double>> x, std::span<const Vec3<double>> x_next = {});
+                std::span<const Vec3<double>> x);
 /// The same, but its cone stays.
 void refit_box(Hierarchy& hierarchy, int n, std::span<const Triangle> triangles,
-               std::span<const Vec3<double>> x, std::span<const Vec3<double>> x_next = {});
+               std::span<const Vec3<double>> x);
 
 }  // namespace glisson::contact
