@@ -36,15 +36,21 @@ CandidateSearch::CandidateSearch(const ContactMesh& mesh, const ContactRules& ru
       rules_(rules),
       reach_(reach),
       hierarchy_(std::move(hierarchy)),
-      pair_search_(hierarchy_, mesh.region, [&rules](int a, int b) { return rules.may_touch(a, b); }),
       normal_(mesh.triangles.size()),
       ridge_(mesh.edges.size()),
       ridges_(mesh.triangles.size()) {
   for (int k = 0; k < mesh.corner_count(); ++k) on_sheet_.push_back(mesh.on_sheet(k));
 }
 
+PairSearch& CandidateSearch::pair_search() {
+  if (!pair_search_)
+    pair_search_.emplace(hierarchy_, mesh_.region,
+                         [&rules = rules_](int a, int b) { return rules.may_touch(a, b); });
+  return *pair_search_;
+}
+
 void CandidateSearch::refit_hierarchy() {
-  const bool cones = pair_search_.uses_cones();
+  const bool cones = pair_search().uses_cones();
   for (int level = 0; level < hierarchy_.level_count(); ++level) {
     const int begin = hierarchy_.level_begin[at(level)];
     in_pieces(parts_, hierarchy_.level_begin[at(level + 1)] - begin, 512, [&](int first, int last, int) {
@@ -115,7 +121,7 @@ void CandidateSearch::find_pairs(const PairSource& source) {
   if (source)
     source(x_, margin_, threshold, pairs_);
   else
-    counts_.subtrees_tested += pair_search_.find(hierarchy_, threshold, parts_, pairs_);
+    counts_.subtrees_tested += pair_search().find(hierarchy_, threshold, parts_, pairs_);
   ++counts_.searches;
   counts_.volumes_refitted += hierarchy_.node_count();
   counts_.triangle_pairs += static_cast<std::int64_t>(pairs_.size());

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -89,6 +90,7 @@ class CandidateSearch {
     std::vector<Meeting> meetings;
   };
 
+  PairSearch& pair_search();
   void refit_hierarchy();
   void set_normals();
   void set_ridges();
@@ -114,7 +116,7 @@ class CandidateSearch {
   const ContactRules& rules_;
   double reach_, margin_ = 0;
   Hierarchy hierarchy_;
-  PairSearch pair_search_;
+  std::optional<PairSearch> pair_search_;  ///< of those that had to find pairs themselves
   HostParts parts_;
   std::vector<Vec3<double>> x_, normal_;  ///< of this search: positions, unit normals of the triangles
   std::vector<char> ridge_;               ///< the edge sticks out  [edge_count]
