@@ -9,6 +9,9 @@
 
 namespace glisson {
 
+/// Chunks of `size` that hold `count` entries.
+constexpr int chunks_of(int count, int size) { return (count + size - 1) / size; }
+
 /// add(i, sum) does entry i and adds what it leaves to `sum`; join(a, b) adds b to a; leave(c, sum) stores
 /// the sum of chunk c. A Sum{} is empty. Entries are independent of each other.
 template <class F>

@@ -94,7 +94,7 @@ class SurfaceState {
   }
 
  private:
-  int chunk_count() const { return (count_ + PlaceSurface<R>::chunk - 1) / PlaceSurface<R>::chunk; }
+  int chunk_count() const { return chunks_of(count_, PlaceSurface<R>::chunk); }
   void set_reference() { backend_.copy_in(host_.data(), reference_.get(), host_.size()); }
   static std::vector<int> internal_nodes(const ContactMesh& mesh, const Numbering& numbering) {
     std::vector<int> result;

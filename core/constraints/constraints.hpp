@@ -119,7 +119,7 @@ class Constraints {
   }
 
   std::size_t sweep_chunks() const {
-    return entry_of_node_ ? std::size_t((node_count_ + node_energy_chunk - 1) / node_energy_chunk) : 0;
+    return entry_of_node_ ? std::size_t(chunks_of(node_count_, node_energy_chunk)) : 0;
   }
   std::vector<double> sweep_work() const {
     std::vector<double> host(sweep_chunks());

@@ -9,7 +9,7 @@
 namespace glisson {
 
 constexpr int node_chunk = 256;
-constexpr int node_chunks(int node_count) { return (node_count + node_chunk - 1) / node_chunk; }
+constexpr int node_chunks(int node_count) { return chunks_of(node_count, node_chunk); }
 
 /// out = u + s x
 template <class R>

@@ -90,7 +90,7 @@ class ListWork {
   ListWork(B& backend, int entry_count)
       : backend_(backend),
         entry_count_(entry_count),
-        chunk_count_((entry_count + entries_per_sum - 1) / entries_per_sum),
+        chunk_count_(chunks_of(entry_count, entries_per_sum)),
         chunks_(detail::zeros<double>(backend, std::size_t(chunk_count_))) {}
 
   /// Adds the rule's forces; counts work when the step asks for it.
@@ -103,9 +103,9 @@ class ListWork {
   void run(const StepView<R>& step, const int* nodes, const Rule& rule, int count) {
     const AddForces<R, Rule> forces{rule, nodes, step.f, step.node_count};
     if (counts(step))
-      backend_.for_each((count + entries_per_sum - 1) / entries_per_sum,
-                        AddForcesWithWork<R, Rule>{forces, step.v, chunks_.get(), count, half_dt(),
-                                                   R(share(step))});
+      backend_.for_each(
+          chunks_of(count, entries_per_sum),
+          AddForcesWithWork<R, Rule>{forces, step.v, chunks_.get(), count, half_dt(), R(share(step))});
     else
       backend_.for_each(count, forces);
     finish(step);

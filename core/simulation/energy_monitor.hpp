@@ -17,12 +17,10 @@ double largest_term(const Energies& energies);
 /// Accumulates what the node update dissipates and holds the last complete account.
 template <class B, class R>
 class EnergyMonitor {
-  static constexpr int chunk = node_energy_chunk;
-
  public:
   EnergyMonitor(B& backend, int node_count)
       : backend_(backend),
-        host_(static_cast<std::size_t>((node_count + chunk - 1) / chunk)),
+        host_(static_cast<std::size_t>(chunks_of(node_count, node_energy_chunk))),
         chunks_(backend.template allocate<NodeEnergies>(host_.size())) {
     backend_.copy_in(host_.data(), chunks_.get(), host_.size());
   }

@@ -73,7 +73,7 @@ class CompleteNodesSweep : public testing::Test {
   void run(bool sweep, Rows& u_out, Rows& v_out, std::vector<NodeEnergies>& e_out, double& work) {
     Constraints<EmulatedDevice, double> constraints(device_, model_, numbering_);
     auto u = upload(rows(1e-3, 0.1, 0)), v = upload(rows(0.01, 0.3, 2)), f = upload(rows(0, 0, 0));
-    e_out.resize(static_cast<std::size_t>((count_ + node_energy_chunk - 1) / node_energy_chunk));
+    e_out.resize(static_cast<std::size_t>(chunks_of(count_, node_energy_chunk)));
     auto energies = upload(e_out);
     for (int k = 0; k < 3; ++k) {
       const Rows force = rows(0.5, 2, 0);
@@ -94,7 +94,7 @@ class CompleteNodesSweep : public testing::Test {
   void step(bool sweep, const StepView<double>& view, Constraints<EmulatedDevice, double>& constraints,
             const Step& stepper, const AdvanceNodes<double, Step>& update, NodeEnergies* energies) {
     const SharedForces<double> shared{number_.get(), begin_.get(), force_.get()};
-    const int chunks = (count_ + node_energy_chunk - 1) / node_energy_chunk;
+    const int chunks = chunks_of(count_, node_energy_chunk);
     const double t_next = dt * static_cast<double>(view.step + 1);
     if (sweep) {
       const CompleteNodes<double, Step> nodes{update, shared, constraints.for_sweep(view, t_next, stepper)};

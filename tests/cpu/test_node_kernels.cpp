@@ -31,7 +31,7 @@ void compare(const NodeKernels& kernels, const Stepper& stepper, int count, bool
     return AdvanceNodes<float, Stepper>{nodes.u.data(), nodes.v.data(), nodes.f.data(), stepper.rows(),
                                         count};
   };
-  const int chunks = (count + node_energy_chunk - 1) / node_energy_chunk;
+  const int chunks = chunks_of(count, node_energy_chunk);
   const AdvanceNodesDamped<float, Stepper> damped_one{body(one), one.energies.data(), count, 5, 1e-3},
       damped_packed{body(packed), packed.energies.data(), count, 5, 1e-3};
   if (damped) {
