@@ -23,26 +23,38 @@ struct ContactPart {
 /// Rule: penetration(i, n).depth.
 template <class R, class Rule>
 struct CollectReport {
+  static constexpr int chunk = entries_per_sum;
   Rule now;              ///< body and nodes at t
-  const Vec4<R>* force;  ///< just added, times `share` [N]  [entry_count]
+  const Vec4<R>* force;  ///< just added, times `share` [N]  [count]
   double share;
-  const int* nodes;  ///< [entry_count]
-  int entry_count;
-  ContactPart* parts;  ///< [ceil(entry_count / entries_per_sum)]
+  const int* nodes;  ///< [count]
+  int count;
+  ContactPart* parts;  ///< [ceil(count / chunk)]
 
-  GLISSON_HD void operator()(int c) const {
-    const int end = entry_count < (c + 1) * entries_per_sum ? entry_count : (c + 1) * entries_per_sum;
-    ContactPart part;
+  using Sum = ContactPart;
+  GLISSON_HD int entry_count() const { return count; }
+  GLISSON_HD void add(int i, Sum& sum) const {
+    deepen(sum.depth, double(now.penetration(i, nodes[i]).depth));
+    const Vec4<R> f = force[i];
+    sum.force = sum.force + (1 / share) * Vec3<double>{double(f.x), double(f.y), double(f.z)};
+    sum.node_count += f.x != R(0) || f.y != R(0) || f.z != R(0);
+  }
+  GLISSON_HD static void join(Sum& a, const Sum& b) {
+    deepen(a.depth, b.depth);
+    a.force = a.force + b.force;
+    a.node_count += b.node_count;
+  }
+  GLISSON_HD void leave(int c, const Sum& sum) const {
+    ContactPart part = sum;
     part.largest_depth = parts[c].largest_depth;
-    for (int i = c * entries_per_sum; i < end; ++i) {
-      const double depth = double(now.penetration(i, nodes[i]).depth);
-      if (depth > part.depth) part.depth = depth;
-      const Vec4<R> f = force[i];
-      part.force = part.force + (1 / share) * Vec3<double>{double(f.x), double(f.y), double(f.z)};
-      part.node_count += f.x != R(0) || f.y != R(0) || f.z != R(0);
-    }
-    if (part.depth > part.largest_depth) part.largest_depth = part.depth;
+    deepen(part.largest_depth, part.depth);
     parts[c] = part;
+  }
+  GLISSON_HD void operator()(int c) const { run_chunk(*this, c); }
+
+ private:
+  GLISSON_HD static void deepen(double& deepest, double depth) {
+    if (depth > deepest) deepest = depth;
   }
 };
 
