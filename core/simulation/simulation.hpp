@@ -89,12 +89,12 @@ class Simulation final : public AnySimulation {
   std::optional<DynamicRelaxation<B, R>> relaxation_;
   std::vector<std::unique_ptr<UserForces<B, R>>> users_;
   Buffer<Vec4<R>> u_predicted_;  ///< only with contact
+  Buffer<Vec4<R>> healthy_;      ///< u at the last check that passed, if there was one [m]
   StepPlan plan_;
   std::int64_t step_ = 0;
   std::int64_t monitor_every_ = 1;  ///< steps between two energy accounts
   std::int64_t next_recheck_ = 0;   ///< step of the next estimate of the stable step
-  std::int64_t healthy_step_ = 0;
-  std::vector<Vec3<double>> healthy_;  ///< displacement at the last check that passed, user's numbering [m]
+  std::int64_t healthy_step_ = 0;   ///< of that check; 0: none
   Stepper stepper_ = Stepper::central_difference;
   bool prony_ = false;                               ///< some material has a memory
   bool capped_ = false;                              ///< some springs have a strain-energy cap

@@ -98,16 +98,18 @@ void Simulation<B, R>::account(double t) {
   if (!std::isfinite(now.kinetic) || !std::isfinite(now.strain)) fail(nullptr, share);
   const double tolerance = model_.time.energy_tolerance;
   if (tolerance > 0 && !(share <= tolerance)) fail(&now, share);
-  healthy_ = displacement();
+  backend_.for_each(nodes_.count(), Copy<R>{nodes_.u(), healthy_.get()});
   healthy_step_ = step_ + 1;
 }
 
 template <Backend B, class R>
 void Simulation<B, R>::fail(const Energies* unbalanced, double share) {
   const auto u = displacement();
+  const auto healthy =
+      healthy_step_ > 0 ? nodes_.for_user(healthy_.get(), parts_.numbering) : std::vector<Vec3<double>>();
   FailureContext context;
   context.u = u;
-  context.healthy = healthy_;
+  context.healthy = healthy;
   context.step = step_ + 1;
   context.healthy_step = healthy_step_;
   context.time = time();

@@ -52,6 +52,7 @@ Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
       nodes_(backend_, parts_.mass),
       monitor_(backend_, nodes_.count()),
       power_(backend_, nodes_, parts_.element_step.smallest_size),
+      healthy_(nodes_.zeros()),
       stepper_(model.time.stepper.value_or(default_stepper(model))),
       prony_(has_prony(model)),
       capped_(has_capped_springs(model)),
@@ -179,7 +180,7 @@ std::size_t Simulation<B, R>::memory_bytes() const {
   return nodes_.memory_bytes() + power_.memory_bytes() + parts_.solids->memory_bytes();
 }
 
-constexpr std::uint64_t checkpoint_mark = 0x31'6b'63'20'73'69'6c'67;  // "glis ck1"
+constexpr std::uint64_t checkpoint_mark = 0x32'6b'63'20'73'69'6c'67;  // "glis ck2"
 
 template <Backend B, class R>
 void Simulation<B, R>::save(std::ostream& out) const {
@@ -189,7 +190,8 @@ void Simulation<B, R>::save(std::ostream& out) const {
   write_value(out, plan_);
   write_value(out, std::array<double, 3>{strain_energy_, hourglass_energy_, stable_step_});
   write_value(out, std::array<std::int64_t, 2>{next_recheck_, healthy_step_});
-  for (const Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector()}) write_array<Vec4<R>>(out, nodes_.get(a));
+  for (const Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector(), healthy_.get()})
+    write_array<Vec4<R>>(out, nodes_.get(a));
   write_array<double>(out, parts_.solids->history());
   monitor_.save(out);
   if (relaxation_) relaxation_->save(out);
@@ -198,7 +200,6 @@ void Simulation<B, R>::save(std::ostream& out) const {
   for (const auto& load : parts_.loads) bytes(load->save());
   for (const auto& body : parts_.bodies) bytes(body->save());
   for (const auto& user : users_) bytes(user->provider().save());
-  write_array<Vec3<double>>(out, healthy_);
 }
 
 template <Backend B, class R>
@@ -213,7 +214,7 @@ void Simulation<B, R>::load(std::istream& in) {
   strain_energy_ = scalars[0], hourglass_energy_ = scalars[1], stable_step_ = scalars[2];
   const auto counters = read_value<std::array<std::int64_t, 2>>(in);
   next_recheck_ = counters[0], healthy_step_ = counters[1];
-  for (Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector()})
+  for (Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector(), healthy_.get()})
     nodes_.put(read_array<Vec4<R>>(in, nodes_.size()), a);
   parts_.solids->set_history(read_array<double>(in, parts_.solids->history().size()));
   monitor_.load(in);
@@ -223,7 +224,6 @@ void Simulation<B, R>::load(std::istream& in) {
   for (auto& load : parts_.loads) load->load(bytes(load->save().size()));
   for (auto& body : parts_.bodies) body->load(read_bytes(in));  // their lists change their length
   for (auto& user : users_) user->provider().load(bytes(user->provider().save().size()));
-  healthy_ = read_array<Vec3<double>>(in, healthy_step_ > 0 ? nodes_.size() : 0);
 }
 
 }  // namespace glisson
