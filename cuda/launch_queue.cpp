@@ -47,16 +47,10 @@ int LaunchQueue::send_all(void* stream) {
     return code;
   }
   known->last_use = ++sent_;
-  if (known->graph) {
-    if (const int code = replace_changed(*known)) return code;
-  } else {
-    const auto calls = waiting_.calls();
-    if (runtime_.make_graph(&known->graph, calls.data(), static_cast<int>(calls.size())) != status::done) {
-      runtime_.launch_status();  // forgets the error: all works without graphs, only slower
-      known->graph = nullptr;
-      graphs_ = false;
-      return send_one_by_one(stream);
-    }
+  if (prepare(*known) != status::done) {
+    runtime_.launch_status();  // forgets the error: all works without graphs, only slower
+    graphs_ = false;
+    return send_one_by_one(stream);
   }
   std::swap(known->sequence, waiting_);
   return runtime_.launch_graph(known->graph, stream);
@@ -68,8 +62,10 @@ int LaunchQueue::send_one_by_one(void* stream) {
   return status::done;
 }
 
-int LaunchQueue::replace_changed(Known& known) {
+/// Makes the graph, or lets it hold the arguments of what waits.
+int LaunchQueue::prepare(Known& known) {
   const auto calls = waiting_.calls();
+  if (!known.graph) return runtime_.make_graph(&known.graph, calls.data(), static_cast<int>(calls.size()));
   for (std::size_t k = 0; k < calls.size(); ++k) {
     if (waiting_.same_arguments(k, known.sequence)) continue;
     if (const int code = runtime_.replace_in_graph(known.graph, static_cast<int>(k), calls[k])) return code;

@@ -92,7 +92,7 @@ class LaunchQueue {
   };
   int send_all(void* stream);
   int send_one_by_one(void* stream);
-  int replace_changed(Known& known);
+  int prepare(Known& known);
   Known* find();
   void remember();
 
@@ -100,7 +100,7 @@ class LaunchQueue {
   LaunchSequence waiting_;
   std::vector<Known> known_;
   std::int64_t sent_ = 0;
-  bool graphs_ = true;  ///< false after the runtime could not make one
+  bool graphs_ = true;  ///< false after the runtime could not make or change one
 };
 
 }  // namespace glisson::cuda
