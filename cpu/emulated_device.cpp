@@ -57,6 +57,15 @@ void GuardedHeap::close() {
   if (--open_ == 0) protect(PROT_NONE);
 }
 
+void GuardedHeap::get_contents(std::vector<unsigned char>& contents) const {
+  contents.clear();
+  for (const Block& block : blocks_) contents.insert(contents.end(), block.pages, block.pages + block.bytes);
+}
+void GuardedHeap::set_contents(const std::vector<unsigned char>& contents) {
+  const unsigned char* from = contents.data();
+  for (const Block& block : blocks_) from += (std::memcpy(block.pages, from, block.bytes), block.bytes);
+}
+
 }  // namespace detail
 
 std::vector<int> EmulatedDevice::random_order(int n) {
@@ -68,6 +77,31 @@ std::vector<int> EmulatedDevice::random_order(int n) {
     std::swap(order[i - 1], order[(random_ >> 32) % i]);
   }
   return order;
+}
+
+void EmulatedDevice::refuse_conflicts(const std::vector<int>& order, const char* body,
+                                      const std::function<void(int)>& run) {
+  const auto half = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+  const auto first = [&] { std::for_each(order.begin(), half, run); };
+  const auto second = [&] { std::for_each(half, order.end(), run); };
+  auto& [before, after_first, first_then_second, after_second, second_then_first] = seen_;
+  heap_->get_contents(before);
+  first();
+  heap_->get_contents(after_first);
+  second();
+  heap_->get_contents(first_then_second);
+  heap_->set_contents(before);
+  second();
+  heap_->get_contents(after_second);
+  first();
+  heap_->get_contents(second_then_first);
+  bool independent = second_then_first == first_then_second;
+  for (std::size_t k = 0; k < before.size() && independent; ++k)
+    independent = after_first[k] == before[k] || after_second[k] == before[k];
+  heap_->set_contents(before);
+  if (!independent)
+    throw Error(ErrorKind::device, "Two indices of the loop " + std::string(body) +
+                                       " touch what one of them writes: on a device this is a race.");
 }
 
 }  // namespace glisson

@@ -2,9 +2,13 @@
 // slow.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <memory>
+#include <new>
+#include <typeinfo>
 #include <vector>
 
 #include <glisson/core/backend.hpp>
@@ -27,6 +31,9 @@ class GuardedHeap {
   void release(void* memory);
   void open();
   void close();
+  /// What all blocks hold, one after the other, while the heap is open.
+  void get_contents(std::vector<unsigned char>& contents) const;
+  void set_contents(const std::vector<unsigned char>& contents);
 
  private:
   struct Block {
@@ -56,8 +63,8 @@ class HeapAccess {
 }  // namespace detail
 
 /// Host code that reads device memory stops with SIGSEGV, memory that nobody wrote reads as NaN, and bodies
-/// run in a random order, so that sums that depend on the order differ between seeds. What it cannot find:
-/// missing barriers inside a kernel.
+/// run in a random order, so that sums that depend on the order differ between seeds. A barrier that is
+/// missing inside a kernel is a conflict of two indices where each phase is a loop, see look_for_conflicts().
 class EmulatedDevice {
  public:
   static constexpr Space space = Space::device;
@@ -88,21 +95,39 @@ class EmulatedDevice {
     static_assert(std::is_trivially_copyable_v<F>, "what travels to a device is plain data");
     const std::vector<int> order = random_order(n);
     const detail::HeapAccess access(*heap_);
-    for (const int i : order) {
+    const auto run = [&](int i) {
       if constexpr (SumsChunks<F>)
         run_chunk_in_lanes(body, i);
       else
         body(i);
+    };
+    if (looks_for_conflicts_) {
+      if constexpr (SumsChunks<F>) {
+        const auto sums = allocate<typename F::Sum>(static_cast<std::size_t>(body.entry_count()));
+        refuse_conflicts(random_order(body.entry_count()), typeid(F).name(),
+                         [&](int i) { body.add(i, *::new (&sums[i]) typename F::Sum{}); });
+      }
+      refuse_conflicts(order, typeid(F).name(), run);
     }
+    for (const int i : order) run(i);
   }
+  /// From now on loops throw Error(device) in which an index writes what another one reads or writes, in
+  /// chunks also an entry. Each loop runs three times for that, with a comparison of all memory: for small
+  /// models. Two indices are in different halves of a loop in every second run of it, so that what happens in
+  /// each step is found in a few.
+  void look_for_conflicts() { looks_for_conflicts_ = true; }
   void* stream() { return nullptr; }
 
  private:
   std::vector<int> random_order(int n);
+  /// Runs both halves of a random order from the same memory, and each after the other. Leaves no trace.
+  void refuse_conflicts(const std::vector<int>& order, const char* body, const std::function<void(int)>& run);
 
   std::unique_ptr<detail::GuardedHeap>
       heap_;  // on the heap: buffers point to it and must survive a move of the device
   std::uint64_t random_;
+  bool looks_for_conflicts_ = false;
+  std::array<std::vector<unsigned char>, 5> seen_;  ///< scratch of refuse_conflicts
 };
 
 static_assert(Backend<EmulatedDevice>);

@@ -36,8 +36,9 @@ std::unique_ptr<AnySimulation> make_simulation(const Model& model, const Simulat
   if (!options.validated) validate(model);
   if (device == "serial")
     return in_double ? detail::simulate_serial_double(model) : detail::simulate_serial_float(model);
-  if (device == "emulated")
-    return in_double ? detail::simulate_emulated_double(model) : detail::simulate_emulated_float(model);
+  if (const bool conflicts = device == "emulated:conflicts"; conflicts || device == "emulated")
+    return in_double ? detail::simulate_emulated_double(model, conflicts)
+                     : detail::simulate_emulated_float(model, conflicts);
   const bool gpu_chosen = device == "auto" && !find_gpus().empty();
   if (gpu_chosen) return simulate_cuda(model, "cuda:0", in_double);
   if (device != "cpu" && device != "auto") return simulate_cuda(model, device, in_double);

@@ -11,7 +11,7 @@ namespace glisson {
 enum class Precision { single_precision, double_precision };
 
 struct SimulationOptions {
-  std::string device = "auto";  ///< auto, cpu, serial, emulated, cuda, cuda:N
+  std::string device = "auto";  ///< auto, cpu, serial, emulated[:conflicts], cuda, cuda:N
   Precision precision = Precision::single_precision;
   int threads = 0;                       ///< 0: as many as the machine has
   std::string instruction_set = "auto";  ///< auto, sse4.2, avx2, avx512: for tests

@@ -16,7 +16,8 @@ std::unique_ptr<AnySimulation> simulate_threads_float(const Model& model, int th
 /// Only in builds with CUDA.
 std::unique_ptr<AnySimulation> simulate_cuda_double(const Model& model, int number);
 std::unique_ptr<AnySimulation> simulate_cuda_float(const Model& model, int number);
-std::unique_ptr<AnySimulation> simulate_emulated_double(const Model& model);
-std::unique_ptr<AnySimulation> simulate_emulated_float(const Model& model);
+/// conflicts: look for them, see EmulatedDevice
+std::unique_ptr<AnySimulation> simulate_emulated_double(const Model& model, bool conflicts);
+std::unique_ptr<AnySimulation> simulate_emulated_float(const Model& model, bool conflicts);
 
 }  // namespace glisson::detail

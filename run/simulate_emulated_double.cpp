@@ -6,8 +6,10 @@
 
 namespace glisson::detail {
 
-std::unique_ptr<AnySimulation> simulate_emulated_double(const Model& model) {
-  return assemble<EmulatedDevice, double>(model, std::make_unique<EmulatedDevice>(), "EmulatedDevice double",
+std::unique_ptr<AnySimulation> simulate_emulated_double(const Model& model, bool conflicts) {
+  auto device = std::make_unique<EmulatedDevice>();
+  if (conflicts) device->look_for_conflicts();
+  return assemble<EmulatedDevice, double>(model, std::move(device), "EmulatedDevice double",
                                           make_staged_solids<EmulatedDevice, double>,
                                           make_staged_shells<EmulatedDevice, double>);
 }

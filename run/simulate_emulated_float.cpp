@@ -6,8 +6,10 @@
 
 namespace glisson::detail {
 
-std::unique_ptr<AnySimulation> simulate_emulated_float(const Model& model) {
-  return assemble<EmulatedDevice, float>(model, std::make_unique<EmulatedDevice>(), "EmulatedDevice float",
+std::unique_ptr<AnySimulation> simulate_emulated_float(const Model& model, bool conflicts) {
+  auto device = std::make_unique<EmulatedDevice>();
+  if (conflicts) device->look_for_conflicts();
+  return assemble<EmulatedDevice, float>(model, std::move(device), "EmulatedDevice float",
                                          make_staged_solids<EmulatedDevice, float>,
                                          make_staged_shells<EmulatedDevice, float>);
 }

@@ -187,6 +187,68 @@ TEST(EmulatedDevice, OrderDependsOnTheSeed) {
   for (int i = 0; i < 100; ++i) EXPECT_EQ(sorted[static_cast<std::size_t>(i)], i);
 }
 
+/// Bodies of two indices that go wrong on a device, and one that does not.
+struct WriteBoth {
+  int* to;
+  void operator()(int i) const { to[i / 2] = i; }
+};
+struct Count {
+  int* to;
+  void operator()(int) const { ++*to; }
+};
+struct ReadNext {
+  int* to;
+  void operator()(int i) const { to[i] = i == 7 ? i : to[i + 1] + i; }
+};
+/// Chunks of four entries, which keep to themselves if the number is 0.
+struct SumChunks {
+  static constexpr int chunk = 4;
+  using Sum = int;
+  int* to;
+  int shift;
+  int entry_count() const { return 8; }
+  void add(int i, Sum& sum) const { to[i] = i, sum += to[i ^ shift]; }
+  static void join(Sum& a, const Sum& b) { a += b; }
+  void leave(int c, const Sum& sum) const { to[8 + c] = sum + 1; }
+};
+
+TEST(EmulatedDevice, RefusesConflictsOfIndicesAndEntries) {
+  const auto conflicts_in = [](int n, auto body, bool look = true) {
+    EmulatedDevice device;
+    if (look) device.look_for_conflicts();
+    const auto memory = device.allocate<int>(16);
+    const std::vector<int> zero(16);
+    device.copy_in(zero.data(), memory.get(), zero.size());
+    body.to = memory.get();
+    try {  // in every second loop both are in different halves
+      for (int k = 0; k < 20; ++k) device.for_each(n, body);
+    } catch (const Error&) {
+      return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(conflicts_in(8, WriteBoth{}));
+  EXPECT_TRUE(conflicts_in(8, Count{}));
+  EXPECT_TRUE(conflicts_in(8, ReadNext{}));
+  EXPECT_FALSE(conflicts_in(8, ReadNext{}, false));
+  EXPECT_FALSE(conflicts_in(2, SumChunks{nullptr, 0}));
+  EXPECT_TRUE(conflicts_in(2, SumChunks{nullptr, 1})) << "neighbours in a chunk";
+  EXPECT_TRUE(conflicts_in(2, SumChunks{nullptr, 9})) << "what another chunk leaves";
+}
+
+TEST(EmulatedDevice, LookingForConflictsLeavesNoTrace) {
+  EmulatedDevice device;
+  device.look_for_conflicts();
+  const auto memory = device.allocate<int>(2);
+  const int start[2] = {1, 2};
+  int result[2];
+  device.copy_in(start, memory.get(), 2);
+  device.for_each(2, Twice{memory.get(), memory.get()});
+  device.copy_out(memory.get(), result, 2);
+  EXPECT_EQ(result[0], 2);
+  EXPECT_EQ(result[1], 4);
+}
+
 TEST(EmulatedDeviceDeathTest, StopsHostReadsAndReadsPastTheEnd) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EmulatedDevice device;
