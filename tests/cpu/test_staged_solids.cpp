@@ -1,5 +1,6 @@
 // Patches in shared memory, run phase by phase on the emulated device, against the plain double reference.
 #include <algorithm>
+#include <cstring>
 #include <random>
 #include <tuple>
 
@@ -11,70 +12,22 @@
 #include <glisson/cpu/emulated_device.hpp>
 #include <glisson/cpu/serial.hpp>
 #include <tests/cpu/mixed_models.hpp>
+#include <tests/support/inner_forces.hpp>
 
 namespace glisson {
 namespace {
 
-/// Solids of a model on a backend and what they give for a displacement. The displacement is that of float in
-/// every precision; f starts at 1, 2, 3, because providers add.
 template <class B, class R>
-class Solids {
- public:
+struct Solids : test::InnerForces<B, R> {
   Solids(B backend, const Model& model, bool staged)
-      : backend_(std::move(backend)),
-        model_(model),
-        numbering_(make_numbering(model.mesh)),
-        solids_(staged ? make_staged_solids<B, R>(backend_, model, numbering_)
-                       : make_plain_solids<B, R>(backend_, model, numbering_)),
-        u_(backend_.template allocate<Vec4<R>>(count())),
-        f_(backend_.template allocate<Vec4<R>>(count())) {}
-
-  std::vector<Vec4<R>> forces(double scale, bool advance = true) {
-    StepView<R> step = view(scale);
-    step.advance = advance;
-    solids_->add_forces(step);
-    std::vector<Vec4<R>> f(count());
-    backend_.copy_out(f_.get(), f.data(), f.size());
-    return f;
-  }
-  double strain_energy(double scale) { return solids_->strain_energy(view(scale)); }
-  double hourglass_energy(double scale) { return solids_->hourglass_energy(view(scale)); }
-  SolidForces<R>& get() { return *solids_; }
-
- private:
-  std::size_t count() const { return model_.mesh.X.size(); }
-  StepView<R> view(double scale) {
-    std::vector<Vec4<R>> u(count()), f(count(), Vec4<R>{R(1), R(2), R(3), R(0)});
-    for (std::size_t n = 0; n < u.size(); ++n) {
-      const Vec3<double> a = displacement(model_.mesh.X[at(numbering_.user_of_internal[n])], scale);
-      u[n] = {R(float(a.x)), R(float(a.y)), R(float(a.z)), R(0)};
-    }
-    backend_.copy_in(u.data(), u_.get(), u.size());
-    backend_.copy_in(f.data(), f_.get(), f.size());
-    StepView<R> step;
-    step.u = u_.get();
-    step.f = f_.get();
-    step.node_count = static_cast<int>(count());
-    step.dt = 1e-3;
-    return step;
-  }
-
-  B backend_;
-  const Model& model_;
-  Numbering numbering_;
-  std::unique_ptr<SolidForces<R>> solids_;
-  Buffer<Vec4<R>> u_, f_;
+      : test::InnerForces<B, R>(std::move(backend), model,
+                                staged ? make_staged_solids<B, R> : make_plain_solids<B, R>,
+                                {displacement, {1, 2, 3}}) {}
 };
 
 template <class R>
 double difference(const std::vector<Vec4<R>>& a, const std::vector<Vec4<double>>& b) {
-  double squares = 0, norm = 0;
-  auto add = [&](R x, double y, double start) {
-    squares += (double(x) - y) * (double(x) - y), norm += (y - start) * (y - start);
-  };
-  for (std::size_t n = 0; n < a.size(); ++n)
-    add(a[n].x, b[n].x, 1), add(a[n].y, b[n].y, 2), add(a[n].z, b[n].z, 3);
-  return std::sqrt(squares / norm);
+  return test::difference(a, b, {1, 2, 3});
 }
 
 /// Over which the forces of a test are compared: rounding of R, amplified by kappa / mu = 10 and by sums of
@@ -137,6 +90,14 @@ TEST(StagedSolidsBlocks, OfBothTetrahedraShareNodes) {
   Solids<EmulatedDevice, double> staged(EmulatedDevice(), model, true);
   Solids<Serial, double> plain({}, model, false);
   EXPECT_LT(difference(staged.forces(1), plain.forces(1)), rounding<double>());
+}
+
+/// What the sweep over the nodes adds is what add_forces() would have added, bit for bit.
+TEST(StagedSolidsBlocks, MayLeaveTheSharedForces) {
+  const Model model = both_tetrahedra();
+  Solids<EmulatedDevice, float> whole(EmulatedDevice(), model, true), parts(EmulatedDevice(), model, true);
+  const auto expected = whole.forces(1), f = parts.forces_with_left(1);
+  EXPECT_EQ(std::memcmp(f.data(), expected.data(), f.size() * sizeof f[0]), 0);
 }
 
 TEST(StagedSolidsBits, DoNotDependOnTheOrderOfThreads) {

@@ -10,6 +10,7 @@
 #include <glisson/shells/patches/staged_shells.hpp>
 #include <glisson/shells/shell_forces.hpp>
 #include <tests/shells/sheets.hpp>
+#include <tests/support/inner_forces.hpp>
 
 namespace glisson::test {
 namespace {
@@ -22,80 +23,23 @@ std::unique_ptr<SolidForces<R>> make_form(B& backend, const Model& model, const 
     return std::make_unique<shells::ShellForces<B, R>>(backend, model, numbering, nullptr);
 }
 
-/// What the shells of a model give for a displacement, which is that of float in every precision. f starts at
-/// 0.001, 0.002, 0.003 N, because providers add.
+Vec3<double> displacement(const Vec3<double>& X, double scale) {
+  const double s = 0.004 * scale;
+  return {s * std::sin(60 * X.y + 2), s * std::cos(50 * X.x - 30 * X.y),
+          2 * s * std::sin(40 * X.x + 50 * X.y)};
+}
+
+constexpr Vec3<double> start{0.001, 0.002, 0.003};
+
 template <class B, class R>
-class Shells {
- public:
+struct Shells : InnerForces<B, R> {
   explicit Shells(const Model& model, B backend = B())
-      : backend_(std::move(backend)),
-        model_(model),
-        numbering_(make_numbering(model.mesh)),
-        shells_(make_form<B, R>(backend_, model, numbering_)),
-        u_(backend_.template allocate<Vec4<R>>(count())),
-        f_(backend_.template allocate<Vec4<R>>(count())) {}
-
-  std::vector<Vec4<R>> forces(double scale, bool advance = true) {
-    StepView<R> step = view(scale);
-    step.advance = advance;
-    shells_->add_forces(step);
-    std::vector<Vec4<R>> f(count());
-    backend_.copy_out(f_.get(), f.data(), f.size());
-    return f;
-  }
-  /// The same where the shared parts are left to a sweep over the nodes.
-  std::vector<Vec4<R>> forces_with_left(double scale) {
-    const StepView<R> step = view(scale);
-    const SharedForces<R> left = shells_->add_all_but_shared(step);
-    EXPECT_NE(left.number, nullptr);
-    backend_.for_each(step.node_count, AddLeft{left, step.f});
-    std::vector<Vec4<R>> f(count());
-    backend_.copy_out(f_.get(), f.data(), f.size());
-    return f;
-  }
-  double energy(double scale) { return shells_->strain_energy(view(scale)); }
-  SolidForces<R>& get() { return *shells_; }
-
- private:
-  struct AddLeft {
-    SharedForces<R> left;
-    Vec4<R>* f;
-    void operator()(int n) const { f[n] = left.add_to_node(n, f[n]); }
-  };
-  std::size_t count() const { return model_.mesh.X.size(); }
-  StepView<R> view(double scale) {
-    std::vector<Vec4<R>> u(count()), f(count(), Vec4<R>{R(0.001), R(0.002), R(0.003), R(0)});
-    for (std::size_t n = 0; n < u.size(); ++n) {
-      const auto& X = model_.mesh.X[static_cast<std::size_t>(numbering_.user_of_internal[n])];
-      const double s = 0.004 * scale;
-      u[n] = {R(float(s * std::sin(60 * X.y + 2))), R(float(s * std::cos(50 * X.x - 30 * X.y))),
-              R(float(2 * s * std::sin(40 * X.x + 50 * X.y)))};
-    }
-    backend_.copy_in(u.data(), u_.get(), u.size());
-    backend_.copy_in(f.data(), f_.get(), f.size());
-    StepView<R> step;
-    step.u = u_.get(), step.f = f_.get();
-    step.node_count = static_cast<int>(count());
-    step.dt = 1e-3;
-    return step;
-  }
-
-  B backend_;
-  const Model& model_;
-  Numbering numbering_;
-  std::unique_ptr<SolidForces<R>> shells_;
-  Buffer<Vec4<R>> u_, f_;
+      : InnerForces<B, R>(std::move(backend), model, make_form<B, R>, {displacement, start}) {}
 };
 
 template <class R>
 double difference(const std::vector<Vec4<R>>& a, const std::vector<Vec4<double>>& b) {
-  double squares = 0, norm = 0;
-  const auto add = [&](R x, double y, double start) {
-    squares += (double(x) - y) * (double(x) - y), norm += (y - start) * (y - start);
-  };
-  for (std::size_t n = 0; n < a.size(); ++n)
-    add(a[n].x, b[n].x, 0.001), add(a[n].y, b[n].y, 0.002), add(a[n].z, b[n].z, 0.003);
-  return std::sqrt(squares / norm);
+  return test::difference(a, b, start);
 }
 
 /// Of opposing forces around each node, in R.
@@ -190,9 +134,9 @@ class StagedShellForms : public testing::TestWithParam<Case> {
     Shells<Serial, double> plain(model);
     for (const double scale : {1.0, 0.7}) {
       EXPECT_LT(difference(staged.forces(scale), plain.forces(scale)), rounding<R>());
-      const double energy = plain.energy(scale);
+      const double energy = plain.strain_energy(scale);
       EXPECT_GT(energy, 0);
-      EXPECT_NEAR(staged.energy(scale), energy, rounding<R>() * energy);
+      EXPECT_NEAR(staged.strain_energy(scale), energy, rounding<R>() * energy);
     }
     const auto history = staged.get().history(), expected = plain.get().history();
     ASSERT_EQ(history.size(), expected.size());
@@ -248,12 +192,12 @@ TEST(StagedShellBits, DoNotDependOnTheOrderOfThreads) {
   const Model model = branching();
   Shells<EmulatedDevice, float> first(model, EmulatedDevice(1));
   const auto expected = first.forces(1);
-  const double energy = first.energy(1);
+  const double energy = first.strain_energy(1);
   for (const std::uint64_t seed : {2, 3, 4}) {
     Shells<EmulatedDevice, float> other(model, EmulatedDevice(seed));
     const auto f = other.forces(1);
     EXPECT_EQ(std::memcmp(f.data(), expected.data(), f.size() * sizeof f[0]), 0);
-    EXPECT_EQ(other.energy(1), energy);
+    EXPECT_EQ(other.strain_energy(1), energy);
   }
 }
 
