@@ -4,7 +4,13 @@
 # usage: run.sh [--result FILE] [--only devices|tests|repeats|sanitizers|bench|ensembles]... [--bench-sizes 10000,1000000]
 # exit code: 0 all passed, 1 something failed, 2 wrong use, 4 no GPU here.
 set -uo pipefail
+export LC_ALL=C
 here=$(cd "$(dirname "$0")" && pwd)
+
+help() {
+  local line
+  while IFS= read -r line; do [[ $line != "# "* ]] || echo "${line#\# }"; [[ -n $line ]] || break; done <"$0"
+}
 
 result=$here/gpu-check.json only=() sizes=10000,30000,100000,1000000,10000000
 while [ $# -gt 0 ]; do
@@ -12,7 +18,7 @@ while [ $# -gt 0 ]; do
     --result) result=${2:?--result needs a file}; shift 2 ;;
     --only) only+=("${2:?--only needs the name of a check}"); shift 2 ;;
     --bench-sizes) sizes=${2:?--bench-sizes needs numbers of elements}; shift 2 ;;
-    -h | --help) sed -n '2,5s/^# //p' "$0"; exit 0 ;;
+    -h | --help) help; exit 0 ;;
     *) echo "unknown option: $1" >&2; exit 2 ;;
   esac
 done
@@ -24,13 +30,25 @@ checks=() failed=0
 
 wanted() { [ ${#only[@]} -eq 0 ] || [[ " ${only[*]} " == *" $1 "* ]]; }
 
+# Lines of the input that match a pattern.
+matching() {
+  local line
+  while IFS= read -r line || [ -n "$line" ]; do
+    if [[ $line =~ $1 ]]; then printf '%s\n' "$line"; fi
+  done
+}
+
 # Text as the inside of a JSON string.
-escaped() { tr -d '\000-\010\013-\037' | sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/\t/ /g' | sed -e ':a;N;$!ba;s/\n/\\n/g'; }
+escaped() {
+  local text=$1 control=$'[\001-\037]'
+  text=${text//\\/\\\\} text=${text//\"/\\\"} text=${text//$'\t'/ } text=${text//$'\n'/\\n}
+  printf '%s' "${text//$control/}"
+}
 
 # note NAME STATUS SECONDS DETAIL: one line of the result.
 note() {
-  checks+=("    {\"name\": \"$1\", \"status\": \"$2\", \"seconds\": $3, \"detail\": \"$(printf '%s' "$4" | escaped)\"}")
-  printf '%-32s %-8s %4s s  %s\n' "$1" "$2" "$3" "$(printf '%s' "$4" | tail -n 1)"
+  checks+=("    {\"name\": \"$1\", \"status\": \"$2\", \"seconds\": $3, \"detail\": \"$(escaped "$4")\"}")
+  printf '%-32s %-8s %4s s  %s\n' "$1" "$2" "$3" "${4##*$'\n'}"
   [ "$2" != failed ] || failed=1
 }
 
@@ -41,10 +59,10 @@ check() {
   log=$here/out/${name// /-}.log
   timeout "$limit" "$@" >"$log" 2>&1
   status=$?
-  if [ $status -eq 0 ] && ! grep -q '^\[  PASSED  \] 0 tests' "$log"; then
-    note "$name" passed $((SECONDS - started)) "$(grep -E '^\[  PASSED|ERROR SUMMARY|RACECHECK SUMMARY|^written' "$log" | tail -n 2)"
+  if [ $status -eq 0 ] && [ -z "$(matching '^\[  PASSED  \] 0 tests' <"$log")" ]; then
+    note "$name" passed $((SECONDS - started)) "$(matching '^\[  PASSED|ERROR SUMMARY|RACECHECK SUMMARY|^written' <"$log" | tail -n 2)"
   else
-    note "$name" failed $((SECONDS - started)) "exit code $status$(echo; grep -E '^\[  FAILED|rror|========' "$log" | tail -n 20)"
+    note "$name" failed $((SECONDS - started)) "exit code $status$(echo; matching '^\[  FAILED|rror|========' <"$log" | tail -n 20)"
   fi
 }
 
@@ -55,8 +73,9 @@ no_gpu() {
 }
 
 devices=$("$here/bin/glisson" devices 2>&1) || { echo "bin/glisson does not start: $devices" >&2; exit 1; }
-grep -q '^cuda:0' <<<"$devices" || no_gpu "There is no GPU here: $(grep '^cuda' <<<"$devices" | tr -s ' ')"
-device=$(sed -n 's/^cuda:0 *//p' <<<"$devices" | head -n 1)
+device=$(matching '^cuda:0' <<<"$devices" | head -n 1)
+[ -n "$device" ] || no_gpu "There is no GPU here: $(matching '^cuda' <<<"$devices" | tr -s ' ')"
+read -r _ device <<<"$device"
 echo "$device"
 
 if wanted devices; then check "selftest" 120 "$here/bin/glisson" selftest; fi
@@ -73,44 +92,84 @@ fi
 if wanted sanitizers; then
   sanitizer=$(command -v compute-sanitizer || ls /usr/local/cuda/bin/compute-sanitizer 2>/dev/null)
   for tool in memcheck racecheck; do
-    if [ -n "$sanitizer" ]; then
-      check "$tool" 300 "$sanitizer" --tool $tool --error-exitcode 9 "$here/bin/test_scenarios" \
-        '--gtest_filter=*Repeatability.TwoSimulations*/CudaFloat'
-    else
-      note "$tool" "not run" 0 "no compute-sanitizer on this machine"
-    fi
+    for part in scenarios:Repeatability.TwoSimulations shells:RigidShells contact:BodyContacts.AResumedRun; do
+      if [ -n "$sanitizer" ]; then
+        check "$tool, ${part%:*}" 300 "$sanitizer" --tool $tool --error-exitcode 9 "$here/bin/test_${part%:*}" \
+          "--gtest_filter=*${part#*:}*/CudaFloat"
+      else
+        note "$tool, ${part%:*}" "not run" 0 "no compute-sanitizer on this machine"
+      fi
+    done
   done
 fi
+# Each size by itself, so that a limit loses no more than one. Millions of elements take the host minutes to set up.
 if wanted bench; then
-  check "bench" 300 "$here/bin/glisson" bench --device cuda --sizes "$sizes" --json "$here/out/bench.json"
+  for size in ${sizes//,/ }; do
+    if [ "$size" -gt 2000000 ]; then cases=(--cases T4,T4ANP,H8) limit=450; else cases=() limit=200; fi
+    check "bench $size" $limit "$here/bin/glisson" bench --device cuda --sizes "$size" ${cases[@]+"${cases[@]}"} \
+      --json "$here/out/bench-$size.json"
+  done
 fi
 if wanted ensembles; then
   check "ensembles" 200 "$here/bin/glisson" bench --device cuda --sizes 10000 --ensembles 32,256,1024 \
     --json "$here/out/ensembles.json"
 fi
 
-# | feature | steps | difference | to JSON
-precision_rows() {
-  [ -f "$here/out/precision-CudaFloat.md" ] || return 0
-  awk -F' *[|] *' 'NR > 2 {gsub(/["\\]/, "", $2); printf "%s    {\"feature\": \"%s\", \"steps\": %s, \"difference\": %s}", separator, $2, $3, $4; separator = ",\n"}' \
-    "$here/out/precision-CudaFloat.md"
+# joined TEXT...: with commas between lines.
+joined() {
+  local separator='' text
+  for text in "$@"; do printf '%s%s' "$separator" "$text"; separator=$',\n'; done
+  echo
 }
 
+# | feature | steps | difference | to JSON
+precision_rows() {
+  local rows=() number=0 feature steps difference
+  [ -f "$here/out/precision-CudaFloat.md" ] || return 0
+  while IFS='|' read -r _ feature steps difference _; do
+    if ((++number <= 2)); then continue; fi
+    read -r feature <<<"${feature//[\"\\]/}"
+    rows+=("    {\"feature\": \"$feature\", \"steps\": ${steps// /}, \"difference\": ${difference// /}}")
+  done <"$here/out/precision-CudaFloat.md"
+  joined ${rows[@]+"${rows[@]}"}
+}
+
+bench_results() {
+  local files=() size
+  for size in ${sizes//,/ }; do
+    if [ -f "$here/out/bench-$size.json" ]; then files+=("$(<"$here/out/bench-$size.json")"); fi
+  done
+  joined ${files[@]+"${files[@]}"}
+}
+
+# "... Open Kernel Module for x86_64  580.65  Release ...": the first word that is a version.
+driver_version() {
+  local text word
+  [ -r /proc/driver/nvidia/version ] || return 0
+  read -r text </proc/driver/nvidia/version
+  for word in $text; do
+    if [[ $word =~ ^[0-9]+\.[0-9.]+$ ]]; then echo "$word"; return; fi
+  done
+}
+
+mapfile -t build <"$here/build.txt"
 mkdir -p "$(dirname "$result")"
 {
   echo "{"
   echo "  \"date\": \"$(date -u +%Y-%m-%d)\","
-  echo "  \"commit\": \"$(sed -n 1p "$here/build.txt")\","
-  echo "  \"architectures\": \"$(sed -n 2p "$here/build.txt")\","
-  echo "  \"device\": \"$(printf '%s' "$device" | escaped)\","
-  echo "  \"driver\": \"$(sed -n 's/.*Kernel Module[^0-9]*\([0-9.]*\).*/\1/p' /proc/driver/nvidia/version 2>/dev/null | head -n 1)\","
+  echo "  \"commit\": \"${build[0]-}\","
+  echo "  \"architectures\": \"${build[1]-}\","
+  echo "  \"device\": \"$(escaped "$device")\","
+  echo "  \"driver\": \"$(driver_version)\","
   echo "  \"checks\": ["
-  (IFS=$'\n'; echo "${checks[*]}" | sed '$!s/$/,/')
+  joined ${checks[@]+"${checks[@]}"}
   echo "  ],"
   echo "  \"single_against_double\": ["
   precision_rows
   echo "  ],"
-  echo "  \"bench\": $(cat "$here/out/bench.json" 2>/dev/null || echo null),"
+  echo "  \"bench\": ["
+  bench_results
+  echo "  ],"
   echo "  \"ensembles\": $(cat "$here/out/ensembles.json" 2>/dev/null || echo null)"
   echo "}"
 } >"$result"
