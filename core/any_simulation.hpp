@@ -61,6 +61,8 @@ class AnySimulation {
   virtual std::array<double, 2> residuals() const = 0;
 
   virtual std::vector<Vec3<double>> displacement() const = 0;  ///< [m]    [node_count]
+  /// Length of the largest one, found where the nodes are [m].
+  virtual double largest_displacement() const = 0;
   virtual std::vector<Vec3<double>> velocity() const = 0;      ///< [m/s]  [node_count]
   virtual std::vector<Vec3<double>> internal_force()
       const = 0;  ///< of the elements on the nodes, F = -f_int [N]

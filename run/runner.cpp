@@ -199,7 +199,7 @@ std::int64_t Runner::steps_until_event() const {
 void Runner::account() {
   const std::int64_t step = simulation_->step_count();
   const double t = simulation_->time();
-  const auto u = simulation_->displacement();
+  const double reach = simulation_->largest_displacement();
   simulation_->step();
   const Energies e = simulation_->energies();
   std::vector<double> values{t,
@@ -213,7 +213,7 @@ void Runner::account() {
                              e.prescribed,
                              e.contact,
                              e.imbalance(),
-                             largest(u).first};
+                             reach};
   if (!model_.shells.empty()) values.push_back(e.shell);
   files_->history->append(step, values);
 }

@@ -60,7 +60,7 @@ class NodeState {
     return sum;
   }
   /// Largest squared length; NaN if any is.
-  double largest(const Vec4<R>* a) {
+  double largest(const Vec4<R>* a) const {
     backend_.for_each(node_chunks(count_), LargestChunk<R>{a, count_, partial_.get()});
     double largest = 0;
     for (const double part : partials()) largest = part > largest || part != part ? part : largest;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +40,7 @@ class Simulation final : public AnySimulation {
   Energies energies() override { return monitor_.last(); }
   std::array<double, 2> residuals() const override;
   std::vector<Vec3<double>> displacement() const override;
+  double largest_displacement() const override { return std::sqrt(nodes_.largest(nodes_.u())); }
   std::vector<Vec3<double>> velocity() const override;
   std::vector<Vec3<double>> internal_force() const override;
   ElementFieldSource element_field_source() const override;
