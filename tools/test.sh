@@ -128,7 +128,7 @@ stage_pictures() {
 # What takes longest under a sanitizer and goes through no code that shorter tests do not.
 long_runs='^app\.contact_examples|StaticAccuracy|AThrownBall|TenThousandScenes|AGluedCantilever|BodyContactHertz'
 long_runs+='|ASheetOfHexahedra|ABallComesBack|ABallDoesNotPass|AgainstTheDoubleReference|Repeatability.*Emulated'
-long_runs+='|ShellBenchmarks|ShellRotation|APulledBar|ABlockSlips|ACradle|OfAFoldingSheet|DepthUnderPressure'
+long_runs+='|ShellBenchmarks|ShellRotation|APulledBar|ABlockSlips|ACradle|OfAFoldingSheet|DepthUnderPressure|Conflicts.AreNotIn'
 
 stage_asan() {
   export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:allocator_may_return_null=1
