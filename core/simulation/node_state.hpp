@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <vector>
 
 #include <glisson/core/backend.hpp>
@@ -16,7 +18,7 @@ class NodeState {
  public:
   NodeState(B& backend, std::span<const double> mass)
       : backend_(backend), count_(static_cast<int>(mass.size())), u_(zeros()), v_(zeros()), f_(zeros()) {
-    partial_ = backend_.template allocate<double>(static_cast<std::size_t>(node_chunks(count_)));
+    partial_ = backend_.template allocate<double>(3 * static_cast<std::size_t>(node_chunks(count_)));
     std::vector<Vec4<R>> v(mass.size());
     for (std::size_t n = 0; n < mass.size(); ++n) v[n].w = mass[n] > 0 ? R(1 / mass[n]) : R(0);
     put(v, v_.get());
@@ -55,22 +57,41 @@ class NodeState {
   /// Sum over nodes with mass of a.b, or of m a.b.
   double dot(const Vec4<R>* a, const Vec4<R>* b, bool mass_weighted) {
     backend_.for_each(node_chunks(count_), DotChunk<R>{a, b, v(), mass_weighted, count_, partial_.get()});
-    double sum = 0;
-    for (const double part : partials()) sum += part;
-    return sum;
+    return sum_of(partials(1));
   }
   /// Largest squared length; NaN if any is.
   double largest(const Vec4<R>* a) const {
     backend_.for_each(node_chunks(count_), LargestChunk<R>{a, count_, partial_.get()});
-    double largest = 0;
-    for (const double part : partials()) largest = part > largest || part != part ? part : largest;
-    return largest;
+    return largest_of(partials(1));
+  }
+  /// Sums of m x.x and m y.y and the largest squared length of y at once: a device waits once.
+  std::array<double, 3> norms(const Vec4<R>* x, const Vec4<R>* y) const {
+    const int chunks = node_chunks(count_);
+    backend_.for_each(chunks, DotChunk<R>{x, x, v(), true, count_, partial_.get()});
+    backend_.for_each(chunks, DotChunk<R>{y, y, v(), true, count_, partial_.get() + chunks});
+    backend_.for_each(chunks, LargestChunk<R>{y, count_, partial_.get() + 2 * chunks});
+    const std::vector<double> all = partials(3);
+    const std::span<const double> part(all);
+    const auto count = static_cast<std::size_t>(chunks);
+    return {sum_of(part.subspan(0, count)), sum_of(part.subspan(count, count)),
+            largest_of(part.subspan(2 * count))};
   }
   std::size_t memory_bytes() const { return 3 * size() * sizeof(Vec4<R>); }
 
  private:
-  std::vector<double> partials() const {
-    std::vector<double> host(static_cast<std::size_t>(node_chunks(count_)));
+  static double sum_of(std::span<const double> parts) {
+    double sum = 0;
+    for (const double part : parts) sum += part;
+    return sum;
+  }
+  static double largest_of(std::span<const double> parts) {
+    double largest = 0;
+    for (const double part : parts) largest = part > largest || part != part ? part : largest;
+    return largest;
+  }
+  /// Of the first `sums` bodies.
+  std::vector<double> partials(int sums) const {
+    std::vector<double> host(static_cast<std::size_t>(sums * node_chunks(count_)));
     backend_.copy_out(partial_.get(), host.data(), host.size());
     return host;
   }
@@ -78,7 +99,7 @@ class NodeState {
   B& backend_;
   int count_;
   Buffer<Vec4<R>> u_, v_, f_;
-  Buffer<double> partial_;
+  Buffer<double> partial_;  ///< of up to three bodies at once
 };
 
 }  // namespace glisson

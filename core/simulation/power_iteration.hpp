@@ -54,11 +54,11 @@ class PowerIteration {
     solids.add_forces(moved);
     backend_.for_each(nodes_.count(),
                       ScaledForceDifference<R>{g_.get(), view.f, nodes_.v(), R(1 / s), y_.get()});
-    const double norm_x = std::sqrt(nodes_.dot(x_.get(), x_.get(), true));
-    const double norm_y = std::sqrt(nodes_.dot(y_.get(), y_.get(), true));
+    const auto [xMx, yMy, largest_y] = nodes_.norms(x_.get(), y_.get());
+    const double norm_x = std::sqrt(xMx), norm_y = std::sqrt(yMy);
     if (!(norm_y > 0) || !std::isfinite(norm_y)) return 0;
     backend_.for_each(nodes_.count(), Copy<R>{y_.get(), x_.get()});
-    backend_.for_each(nodes_.count(), Scale<R>{x_.get(), R(1 / std::sqrt(nodes_.largest(y_.get())))});
+    backend_.for_each(nodes_.count(), Scale<R>{x_.get(), R(1 / std::sqrt(largest_y))});
     return std::sqrt(norm_y / norm_x);
   }
 
