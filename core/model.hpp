@@ -154,13 +154,14 @@ struct RigidBody {
   Vec3<double> displacement;              ///< at amplitude 1 [m]
   double radius_change = 0;               ///< at amplitude 1 [m]
   LoadCurve motion{LoadShape::poly345};
+  double friction = 0;     ///< Coulomb's coefficient [-]
   std::vector<int> nodes;  ///< nodes that may touch it; empty: all surface nodes
 };
 
 /// Contact by penalty instead of multipliers: of the depth that a step would end at, the force takes back
 /// this share within the step, were the contact alone: stiffness = share mass / step^2. In (0, 1] [-]
 using PenaltyShare = std::optional<double>;
-constexpr double default_penalty = 0.5;
+constexpr double default_penalty = 0.9;
 
 /// Rigid surface of triangles or quadrilaterals that nodes stay in front of, with Coulomb friction. The front
 /// is where the facets' normals point. It turns by Rx Ry Rz about `centre`, then shifts; or it follows a

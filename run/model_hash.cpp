@@ -59,7 +59,7 @@ class Hasher {
   void add(const SlidingPlane& c) { all(c.nodes, c.normal); }
   void add(const RigidBody& b) {
     all(b.shape, b.corners, b.origin, b.axis, b.radius, b.length, b.displacement, b.radius_change, b.motion,
-        b.nodes);
+        b.friction, b.nodes);
   }
   void add(const RigidPose& p) { all(p.time, p.shift, p.turn); }
   void add(const RigidSurface& s) {

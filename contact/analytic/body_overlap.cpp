@@ -28,25 +28,38 @@ double shortest_edge_around(const Mesh& mesh, int node) {
   return shortest;
 }
 
+struct DeepNode {
+  int node = -1;
+  double depth = 0;
+  void add(int n, double d) {
+    if (d > depth) *this = {n, d};
+  }
+};
+
+void refuse_deep(const RigidMotion& motion, const DeepNode& its, const Mesh& mesh, const std::string& where,
+                 const std::string& advice) {
+  if (its.node < 0 || !(its.depth > 0.1 * shortest_edge_around(mesh, its.node))) return;
+  throw Error(ErrorKind::input,
+              "node " + std::to_string(its.node) + " starts " + number_text(its.depth) + where +
+                  ", so the first step would throw it out. Move one of them" + advice,
+              {"", 0, motion.body().name});
+}
+
 template <class Shape>
 void refuse_in(const Shape& shape, const RigidMotion& motion, const std::vector<int>& nodes,
-               const Mesh& mesh) {
-  double deepest = 0;
-  int worst = -1;
-  for (const int n : nodes)
-    if (const double depth = shape(at(mesh, n) - motion.reference() - motion.shift(0)).depth;
-        depth > deepest) {
-      deepest = depth;
-      worst = n;
-    }
-  if (worst < 0 || !(deepest > 0.1 * shortest_edge_around(mesh, worst))) return;
+               const std::vector<double>& half_thickness, const Mesh& mesh) {
+  DeepNode inside, near;
+  for (const int n : nodes) {
+    const auto p = at(mesh, n) - motion.reference() - motion.shift(0);
+    inside.add(n, shape(p).depth);
+    near.add(n, shape(p, half_thickness[static_cast<std::size_t>(n)]).depth);
+  }
   const bool plate = motion.body().shape == RigidShape::plate;
-  throw Error(ErrorKind::input,
-              "node " + std::to_string(worst) + " starts " + number_text(deepest) +
-                  (plate ? " behind it" : " inside of it") +
-                  ", so the first step would throw it out. Move one of " +
-                  (plate ? "them; if the elements are on its wrong side, exchange b and c" : "them"),
-              {"", 0, motion.body().name});
+  refuse_deep(motion, inside, mesh, plate ? " behind it" : " inside of it",
+              plate ? "; if the elements are on its wrong side, exchange b and c" : "");
+  refuse_deep(motion, near, mesh,
+              " too near to it: it is a node of a shell, which stays half of the thickness in front of it",
+              "");
 }
 
 template <class Shape>
@@ -58,14 +71,15 @@ Shape shape_of(const RigidMotion& motion) {
 
 }  // namespace
 
-void refuse_overlap(const RigidMotion& motion, const std::vector<int>& nodes, const Mesh& mesh) {
+void refuse_overlap(const RigidMotion& motion, const std::vector<int>& nodes,
+                    const std::vector<double>& half_thickness, const Mesh& mesh) {
   switch (motion.body().shape) {
     case RigidShape::plate:
-      return refuse_in(shape_of<Plate<double>>(motion), motion, nodes, mesh);
+      return refuse_in(shape_of<Plate<double>>(motion), motion, nodes, half_thickness, mesh);
     case RigidShape::cylinder:
-      return refuse_in(shape_of<Cylinder<double>>(motion), motion, nodes, mesh);
+      return refuse_in(shape_of<Cylinder<double>>(motion), motion, nodes, half_thickness, mesh);
     case RigidShape::probe:
-      return refuse_in(shape_of<Probe<double>>(motion), motion, nodes, mesh);
+      return refuse_in(shape_of<Probe<double>>(motion), motion, nodes, half_thickness, mesh);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <glisson/contact/analytic/body_overlap.hpp>
 #include <glisson/contact/analytic/rigid_contact.hpp>
+#include <glisson/contact/shell_thickness.hpp>
 
 namespace glisson::contact {
 
@@ -18,12 +19,13 @@ std::vector<std::unique_ptr<ForceProvider<R>>> make_rigid_bodies(B& backend, con
                                                                  const Numbering& numbering,
                                                                  std::span<const double> = {}) {
   std::vector<std::unique_ptr<ForceProvider<R>>> result;
+  const std::vector<double> half = half_thickness_at_nodes(model);
   const auto add = [&]<class Shape>(const RigidBody& body, Shape) {
     const RigidMotion motion(body);
     const std::vector<int> nodes = candidate_nodes(body.nodes, model.mesh);
-    refuse_overlap(motion, nodes, model.mesh);
+    refuse_overlap(motion, nodes, half, model.mesh);
     result.push_back(
-        std::make_unique<RigidContact<B, R, Shape>>(backend, motion, nodes, model.mesh, numbering));
+        std::make_unique<RigidContact<B, R, Shape>>(backend, motion, nodes, half, model.mesh, numbering));
   };
   for (const RigidBody& body : model.bodies) switch (body.shape) {
       case RigidShape::plate:

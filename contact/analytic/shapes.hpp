@@ -1,4 +1,5 @@
-// Rigid bodies given by formulas: how deep a point lies in them and which way is out.
+// Rigid bodies given by formulas: how deep a point lies in them and which way is out. `grown`: by how much a
+// body is taken to be larger, for nodes of shells, which reach half of the thickness from their nodes [m].
 #pragma once
 
 #include <glisson/core/numbers/functions.hpp>
@@ -22,10 +23,10 @@ struct Plate {
   R ab_squared, ac_squared;  ///< [m^2]
   R reach;                   ///< [m]
 
-  GLISSON_HD Penetration<R> operator()(const Vec3<R>& p) const {
-    const R depth = R(0) - dot(p, normal), along_ab = dot(p, ab), along_ac = dot(p, ac);
-    const bool inside = depth > R(0) && depth <= reach && along_ab >= R(0) && along_ab <= ab_squared &&
-                        along_ac >= R(0) && along_ac <= ac_squared;
+  GLISSON_HD Penetration<R> operator()(const Vec3<R>& p, R grown = R(0)) const {
+    const R depth = grown - dot(p, normal), along_ab = dot(p, ab), along_ac = dot(p, ac);
+    const bool inside = depth > R(0) && depth <= reach + grown && along_ab >= R(0) &&
+                        along_ab <= ab_squared && along_ac >= R(0) && along_ac <= ac_squared;
     return {inside ? depth : R(0), normal};
   }
 };
@@ -54,10 +55,10 @@ struct Cylinder {
   Vec3<R> axis, side;  ///< unit; side is normal to axis
   R radius, length;    ///< [m]
 
-  GLISSON_HD Penetration<R> operator()(const Vec3<R>& p) const {
+  GLISSON_HD Penetration<R> operator()(const Vec3<R>& p, R grown = R(0)) const {
     const R s = dot(p, axis);
     if (!(s > R(0) && s < length)) return {};
-    return out_of_circle(normal_to(p, axis, s), radius, side);
+    return out_of_circle(normal_to(p, axis, s), radius + grown, side);
   }
 };
 
@@ -67,11 +68,11 @@ struct Probe {
   Vec3<R> axis, side;
   R radius, length;
 
-  GLISSON_HD Penetration<R> operator()(const Vec3<R>& p) const {
+  GLISSON_HD Penetration<R> operator()(const Vec3<R>& p, R grown = R(0)) const {
     const R s = dot(p, axis);
     if (!(s > R(0))) return {};
-    return s < length ? out_of_circle(normal_to(p, axis, s), radius, side)
-                      : out_of_circle(p - length * axis, radius, axis);
+    return s < length ? out_of_circle(normal_to(p, axis, s), radius + grown, side)
+                      : out_of_circle(p - length * axis, radius + grown, axis);
   }
 };
 

@@ -1,11 +1,9 @@
-// Contact of nodes with a rigid surface mesh, with Coulomb friction: the explicit Lagrange multiplier of
-// Johnsen 2016, eq. 5.13, with all of the gap on the node (beta_s = 1), the gap rate-proportional
-// force of eq. 5.19-5.22 in front of it, and friction by eq. 5.24-5.25. A penalty is a
-// share of that multiplier: deformable/resolve_touches.hpp says why it keeps the stable step.
+// Contact of nodes with a rigid surface mesh.
 #pragma once
 
 #include <glisson/contact/analytic/rigid_motion.hpp>
 #include <glisson/contact/list_contact.hpp>
+#include <glisson/contact/rigid_response.hpp>
 #include <glisson/contact/surface/surface_data.hpp>
 
 namespace glisson::contact {
@@ -23,9 +21,7 @@ struct SurfaceForce : LastForces<R> {
   const Vec4<R>* to;    ///< and, as predicted, at the end [m]                     [node_count]
   const Vec4<R>* v;     ///< w: 1/mass [1/kg]                                      [node_count]
   R advance_per_force;  ///< [s^2]
-  R friction;           ///< [-]
-  R share;              ///< of the depth that the step takes back: 1, less of penalties [-]
-  R close;              ///< epsilon_r: gap below which an approach is slowed [m]
+  RigidResponse<R> response;
   /// Of forces that were asked for last: nothing was near on the way of the node, nor at its beginning, so
   /// that a report need not look there again  [entry_count]
   unsigned char* far_off;
@@ -35,17 +31,17 @@ struct SurfaceForce : LastForces<R> {
     const Vec3<R> before = xyz(X[i]) + xyz(from[n]) - shift;
     return transposed_times(turn, xyz(to[n]) - xyz(from[n]) - shifted) + transposed_times(turned, before);
   }
-  /// Depth -gap in front of the surface, down to -close, from where on there is nothing.
+  /// Depth -gap in front of the surface, down to -response.close, from where on there is nothing.
   GLISSON_HD Penetration<R> penetration(int i, int n, const Vec3<R>& slipped, bool& far) const {
     const Vec3<R> q = transposed_times(turn, xyz(X[i]) + xyz(to[n]) - shift - shifted);
-    Penetration<R> p = shape.penetration(q - slipped, q, X[i].w + close, far);
-    p.depth -= close;
+    Penetration<R> p = shape.penetration(q - slipped, q, X[i].w + response.close, far);
+    p.depth -= response.close;
     return p;
   }
   GLISSON_HD Penetration<R> penetration(int i, int n) const {
     bool far;
     Penetration<R> none;
-    none.depth = R(0) - close;
+    none.depth = R(0) - response.close;
     return far_off[i] ? none : penetration(i, n, slip(i, n), far);
   }
   GLISSON_HD Vec3<R> force(int i, int n) const {
@@ -54,22 +50,7 @@ struct SurfaceForce : LastForces<R> {
     const Vec3<R> path = slip(i, n);
     const Penetration<R> p = penetration(i, n, path, far);
     far_off[i] = far;
-    if (!(mobility > R(0))) return {};
-    const R along = dot(path, p.out), push = push_of(p, along);  // all forces divide by the mobility
-    if (!(push > R(0))) return {};
-    const Vec3<R> aside = path - along * p.out;
-    const R length = square_root(dot(aside, aside)), most = friction * push;
-    const R stopped = length > most ? most / length : (friction > R(0) ? R(1) : R(0));
-    return (R(1) / mobility) * times(turn, push * p.out - stopped * aside);
-  }
-
- private:
-  /// How far the force along the normal takes the node back within the step. In front of the surface the
-  /// approach keeps the share gap / close of its speed, as between deformable bodies.
-  GLISSON_HD R push_of(const Penetration<R>& p, R along) const {
-    if (p.depth > R(0)) return share * p.depth;
-    const R near = close + p.depth;
-    return near > R(0) && along < R(0) ? R(0) - (near / close) * along : R(0);
+    return mobility > R(0) ? (R(1) / mobility) * times(turn, response(p, path)) : Vec3<R>{};
   }
 };
 
@@ -147,9 +128,7 @@ class SurfaceContact final : public ListContact<B, R> {
     rule.to = to;
     rule.v = step.v;
     rule.advance_per_force = step.advance_per_force;
-    rule.friction = R(surface_.friction);
-    rule.share = R(surface_.penalty.value_or(1));
-    rule.close = close_;
+    rule.response = {R(surface_.friction), R(surface_.penalty.value_or(1)), close_};
     rule.far_off = far_off_.get();
     return rule;
   }

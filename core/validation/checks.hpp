@@ -36,6 +36,8 @@ void check_shell_edges(const Model& model);
 void check_shells(const Model& model, Warnings& warnings);
 /// Lists, values and curves of loads, constraints and bodies.
 void check_loads(const Model& model, Warnings& warnings);
+/// Coulomb's coefficient of whatever `where` names.
+void check_friction(double friction, const std::string& where);
 /// A share in (0, 1], if there is one.
 void check_penalty(const PenaltyShare& share, const std::string& where);
 /// Friction and facets of rigid surfaces: corners that exist, area, at most two owners of an edge, one

@@ -8,11 +8,6 @@
 namespace glisson::detail {
 namespace {
 
-void check_friction(double friction, const std::string& where) {
-  if (!(friction >= 0) || !std::isfinite(friction))
-    refuse(where, "its friction coefficient is " + number_text(friction) + ", but must not be negative");
-}
-
 void check_names(const Model& model, const std::string& where, const std::string& a, const std::string& b) {
   for (const std::string& name : {a, b}) {
     bool found = false;
@@ -54,6 +49,11 @@ bool one_solid(const Mesh& mesh) {
 }
 
 }  // namespace
+
+void check_friction(double friction, const std::string& where) {
+  if (!(friction >= 0) || !std::isfinite(friction))
+    refuse(where, "its friction coefficient is " + number_text(friction) + ", but must not be negative");
+}
 
 void check_penalty(const PenaltyShare& share, const std::string& where) {
   if (share && !(*share > 0 && *share <= 1))

@@ -140,6 +140,7 @@ void check_body(const LoadChecks& check, const RigidBody& body) {
   check.nodes(body.nodes, true);
   check.curve(body.motion);
   check.is_finite(body.displacement);
+  check_friction(body.friction, check.where());
   if (body.shape == RigidShape::plate) {
     for (const auto& corner : body.corners) check.is_finite(corner);
     const auto normal = cross(body.corners[1] - body.corners[0], body.corners[2] - body.corners[0]);

@@ -142,8 +142,7 @@ void check_rigid_surfaces(const Model& model) {
   for (std::size_t i = 0; i < model.surfaces.size(); ++i) {
     const RigidSurface& s = model.surfaces[i];
     const std::string where = s.name.empty() ? "ContactSurface " + std::to_string(i) : s.name;
-    if (!(s.friction >= 0) || !std::isfinite(s.friction))
-      refuse(where, "its friction coefficient is " + number_text(s.friction) + ", but must not be negative");
+    check_friction(s.friction, where);
     check_penalty(s.penalty, where);
     if (s.distance && !(*s.distance >= 0 && std::isfinite(*s.distance)))
       refuse(where,

@@ -23,6 +23,7 @@ RigidBody common(const Reader& reader, const XmlElement& element, RigidShape sha
   body.shape = shape;
   body.name = element.name + " at line " + std::to_string(element.line);
   body.motion = read_curve(reader, element, "LoadShape", "Table", LoadShape::poly345);
+  if (const auto friction = element.child("FrictionCoefficient")) body.friction = not_negative(*friction);
   if (const auto slaves = element.child("SlvNodes")) {
     const auto count = slaves->attribute("NumNodes");
     if (count != nullptr && count->value == "all") {

@@ -118,14 +118,10 @@ void read_contact_surfaces(const Reader& reader, const XmlElement& model, Part& 
     RigidSurface surface;
     surface.name = "ContactSurface at line " + std::to_string(element.line);
     read_surface(reader, element, surface);
-    if (const auto friction = element.child("FrictionCoefficient")) {
-      surface.friction = friction->number();
-      if (surface.friction < 0) friction->fail("it is " + friction->text() + ", but must not be negative");
-    }
-    if (const auto distance = element.child("RateConstraintDistance")) {
-      surface.distance = distance->number();
-      if (*surface.distance < 0) distance->fail("it is " + distance->text() + ", but must not be negative");
-    }
+    if (const auto friction = element.child("FrictionCoefficient"))
+      surface.friction = not_negative(*friction);
+    if (const auto distance = element.child("RateConstraintDistance"))
+      surface.distance = not_negative(*distance);
     surface.penalty = read_response(element, "Response", common);
     surface.nodes = read_slaves(element, part.model.mesh);
     if (const auto motion = element.child("Motion")) read_motion(reader, *motion, surface);

@@ -7,12 +7,6 @@
 namespace glisson::detail {
 namespace {
 
-double not_negative(const XmlElement& element) {
-  const double value = element.number();
-  if (value < 0) element.fail("it is " + element.text() + ", but must not be negative");
-  return value;
-}
-
 bool switched_on(const XmlElement& system, const char* name) {
   const auto element = system.child(name);
   return element != nullptr && element->integer() != 0;

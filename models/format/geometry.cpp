@@ -147,6 +147,12 @@ void transform_as_told(const XmlElement& element, std::span<Vec3<double>> X) {
   transform_nodes(transform_in(element), X);
 }
 
+double not_negative(const XmlElement& element) {
+  const double value = element.number();
+  if (value < 0) element.fail("it is " + element.text() + ", but must not be negative");
+  return value;
+}
+
 Vec3<double> vector_of(const XmlElement& element) {
   const auto v = element.numbers(3);
   return {v[0], v[1], v[2]};

@@ -143,6 +143,8 @@ Selection read_leaf(const Reader& reader, const XmlElement& leaf, const std::str
 LoadCurve read_curve(const Reader& reader, const XmlElement& element, const char* shape_attribute,
                      const char* table_element, std::optional<LoadShape> otherwise);
 
+/// An error for a number below 0.
+double not_negative(const XmlElement& element);
 Vec3<double> vector_of(const XmlElement& element);
 /// Unit vector; an error for the zero vector.
 Vec3<double> direction_of(const XmlElement& element);

@@ -80,9 +80,9 @@ constexpr std::array rules{
     ElementRule{
         "Cylinder", "LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",
         "Origin=Value Axis=Value Radius=Value Length=Value OrigDisp=Value RadChange=Value SlvNodes=Nodes "
-        "Table=Value"},
+        "Table=Value FrictionCoefficient=Value"},
     ElementRule{"Plate", "LoadShape:POLY345,RAMP,RAMPHOLD,STEP,HILLY,TABLE StartTime EndTime",
-                "a=Value b=Value c=Value Disp=Value SlvNodes=Nodes Table=Value"},
+                "a=Value b=Value c=Value Disp=Value SlvNodes=Nodes Table=Value FrictionCoefficient=Value"},
     ElementRule{"ContactSurface", "Response:Multiplier,Penalty Stiffness",
                 "Nodes=MeshNodes Elements=MeshElements VTKSurface=MeshFile SurfaceFile=MeshFile "
                 "FrictionCoefficient=Value RateConstraintDistance=Value SlaveNodes=Nodes SlvNodes=Nodes "

@@ -14,12 +14,6 @@ double positive_number(const XmlElement& element) {
 
 namespace {
 
-double not_negative(const XmlElement& element) {
-  const double value = element.number();
-  if (value < 0) element.fail("it is " + element.text() + ", but must not be negative");
-  return value;
-}
-
 void refuse_unbuilt(const XmlElement& system) {
   if (const auto element = system.child("ROM"); element != nullptr && element->integer() != 0)
     element->fail("this feature is not supported yet; set it to 0 to run without it");

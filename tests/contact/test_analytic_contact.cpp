@@ -96,10 +96,95 @@ TYPED_TEST(RigidContacts, WorkIsTheEnergyOfTheNodes) {
   model.mesh.X = {{1, 1, 0.93}, {1, 2, 0.8}, {2, 1, 0.99}};
   model.bodies = {pressing_plate()};
   model.bodies[0].motion = {LoadShape::poly345, 0, 1};
+  model.bodies[0].friction = 0.3;
   Scene<TypeParam> scene(model, 2);
-  scene.bench.v[1] = {0, 0, 0.5};
+  scene.bench.v[1] = {0.2, 0, 0.5};
   expect_work_to_be_the_energy_of_the_nodes(scene, 20);
   EXPECT_GT(scene.bodies[0]->work(), 0.1);
+}
+
+RigidBody table() {  // front along +z at z = 0
+  RigidBody plate;
+  plate.name = "table";
+  plate.corners = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  return plate;
+}
+
+TYPED_TEST(RigidContacts, ASlidingNodeStopsAfterItsStoppingDistance) {
+  Model model;
+  model.mesh.X = {{0.5, 1.3, 0}};
+  model.bodies = {table()};
+  model.bodies[0].nodes = {0};
+  model.bodies[0].friction = 0.3;
+  Scene<TypeParam> scene(model, 2.5);
+  scene.gravity = {0, 0, -10};
+  scene.bench.v[0] = {3, 0, 0};
+  for (int n = 0; n < 1200; ++n) scene.step(0.001);
+  EXPECT_NEAR(scene.bench.u[0].x, 3 * 3 / (2 * 0.3 * 10.0), 0.01 * 1.5);
+  EXPECT_NEAR(scene.position(0).z, 0, 20 * scene.bench.tolerance());
+}
+
+/// A table that is pulled away below a node: with friction enough to take it along, or not, when the node
+/// gets mu g.
+TYPED_TEST(RigidContacts, FrictionIsMeasuredOnTheMovingBody) {
+  for (const double mu : {0.5, 0.1}) {
+    Model model;
+    model.mesh.X = {{1, 1, 0}};
+    model.bodies = {table()};
+    model.bodies[0].nodes = {0};
+    model.bodies[0].friction = mu;
+    model.bodies[0].displacement = {1, 0, 0};  // a = 2 m/s^2
+    model.bodies[0].motion.shape = LoadShape::table;
+    for (int k = 0; k <= 100; ++k) model.bodies[0].motion.table.push_back({0.01 * k, 1e-4 * k * k});
+    Scene<TypeParam> scene(model);
+    scene.gravity = {0, 0, -10};
+    for (int n = 0; n < 100; ++n) scene.step(0.01);
+    EXPECT_NEAR(scene.bench.u[0].x, mu > 0.2 ? 1 : 0.5, 0.01) << mu;
+  }
+}
+
+TYPED_TEST(RigidContacts, AProbeWithFrictionTakesNodesAlong) {
+  Model model;
+  model.mesh.X = {{1, 0, 1}};
+  RigidBody probe;
+  probe.shape = RigidShape::probe;
+  probe.axis = {0, 0, 1};
+  probe.radius = 1;
+  probe.length = 3;
+  probe.displacement = {0, 0, 1};
+  probe.motion = {LoadShape::ramp, 0, 1};
+  probe.nodes = {0};
+  probe.friction = 3;
+  model.bodies = {probe};
+  Scene<TypeParam> scene(model);
+  scene.gravity = {-100, 0, 0};
+  for (int n = 0; n < 100; ++n) scene.step(0.01);
+  expect_near(scene.position(0), {1, 0, 2}, 1e-3);
+}
+
+/// Half of the thickness in front: on the table, and around a probe.
+TYPED_TEST(RigidContacts, NodesOfShellsStayHalfTheThicknessInFront) {
+  Model model;
+  model.mesh.X = {{1, 1, 0.2}, {2, 1, 0.2}, {1, 2, 0.2}, {3, 3, 0.2}};
+  model.mesh.triangles = {{0, 1, 2}};
+  ShellSection skin;
+  skin.elements = {0};
+  skin.thickness = {0.1};
+  model.shells = {skin};
+  RigidBody probe;
+  probe.shape = RigidShape::probe;
+  probe.axis = {0, 0, -1};
+  probe.origin = {1, 1, 4};
+  probe.radius = 0.5;
+  probe.length = 2;
+  probe.nodes = {0, 1, 2, 3};
+  model.bodies = {table(), probe};
+  model.bodies[0].nodes = {0, 1, 2, 3};
+  Scene<TypeParam> scene(model);
+  scene.gravity = {0, 0, -10};
+  for (int n = 0; n < 100; ++n) scene.step(0.01);
+  for (const int n : {0, 1, 2}) EXPECT_NEAR(scene.position(n).z, 0.05, 40 * scene.bench.tolerance()) << n;
+  EXPECT_NEAR(scene.position(3).z, 0, 40 * scene.bench.tolerance()) << "no shell";
 }
 
 TYPED_TEST(RigidContacts, ReportGivesTheResultant) {
@@ -118,15 +203,18 @@ TYPED_TEST(RigidContacts, RestartGivesTheSameBits) {
   Model model;
   model.mesh.X = {{1, 1, 0.93}, {1, 2, 0.8}, {2, 1, 0.99}};
   model.bodies = {pressing_plate()};
+  model.bodies[0].friction = 0.3;
+  model.bodies[0].displacement.x = 0.1;
   expect_same_bits_after_restart([&] { return Scene<TypeParam>(model, 2); });
 }
 
 /// A unit cube that plates, a cylinder and a probe start in by a share of its edge.
 TEST(RigidContactInput, NodesThatStartDeepInABodyAreRefused) {
   const Mesh cube = box_mesh({1, 1, 1}, {1, 1, 1}, Shape::hexahedron);
+  std::vector<double> half(cube.X.size(), 0.0);
   const auto refused = [&](const RigidBody& body) -> std::string {
     try {
-      refuse_overlap(RigidMotion(body), candidate_nodes({}, cube), cube);
+      refuse_overlap(RigidMotion(body), candidate_nodes({}, cube), half, cube);
       return "";
     } catch (const Error& e) {
       EXPECT_EQ(e.kind(), ErrorKind::input);
@@ -141,6 +229,12 @@ TEST(RigidContactInput, NodesThatStartDeepInABodyAreRefused) {
   for (auto& corner : body.corners) corner.z = 0.8;
   EXPECT_NE(refused(body).find("compression plate: node 4 starts 0.2 behind it"), std::string::npos)
       << refused(body);
+  for (auto& corner : body.corners) corner.z = 1;
+  half[5] = 0.15;
+  EXPECT_NE(refused(body).find("node 5 starts 0.15 too near to it: it is a node of a shell"),
+            std::string::npos)
+      << refused(body);
+  half[5] = 0;
   std::swap(body.corners[1], body.corners[2]);
   for (auto& corner : body.corners) corner.z = 2;
   EXPECT_NE(refused(body).find("exchange b and c"), std::string::npos) << "the cube is on its wrong side";

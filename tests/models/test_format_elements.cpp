@@ -201,7 +201,7 @@ TEST(FormatConstraints, PlanesAndInitialVelocities) {
 TEST(FormatContact, BodiesAndTheirMotion) {
   const auto model =
       parsed(with("<ContactPlate><a>0 0 2</a><b>1 0 2</b><c>0 1 2</c><Disp>0 0 -1</Disp><SlvNodes>4 5 6 "
-                  "7</SlvNodes></ContactPlate>"
+                  "7</SlvNodes><FrictionCoefficient>0.2</FrictionCoefficient></ContactPlate>"
                   "<ContactCylinder LoadShape=\"RAMP\" EndTime=\"0.5\"><Origin>1 2 3</Origin><Axis>0 0 "
                   "1</Axis><Radius>0.5</Radius>"
                   "<Length>2</Length><OrigDisp>1 0 0</OrigDisp><RadChange>0.1</RadChange><SlvNodes "
@@ -214,6 +214,8 @@ TEST(FormatContact, BodiesAndTheirMotion) {
   EXPECT_EQ(model.bodies[0].displacement.z, -1);
   EXPECT_EQ(model.bodies[0].motion.shape, LoadShape::poly345);
   EXPECT_EQ(model.bodies[0].nodes.size(), 4U);
+  EXPECT_EQ(model.bodies[0].friction, 0.2);
+  EXPECT_EQ(model.bodies[1].friction, 0);
   EXPECT_EQ(model.bodies[1].shape, RigidShape::cylinder);
   EXPECT_EQ(model.bodies[1].motion.shape, LoadShape::ramp);
   EXPECT_EQ(model.bodies[1].motion.end, 0.5);

@@ -292,6 +292,10 @@ const Bad bad_files[] = {
     {"<SystemParams>", "<ContactPlate><a>0 0 0</a><b>1 0 0</b><c>2 0 0</c></ContactPlate><SystemParams>", 23,
      "one line"},
     {"<SystemParams>",
+     "<ContactPlate><a>0 0 0</a><b>1 0 0</b><c>0 1 0</c><FrictionCoefficient>-1</FrictionCoefficient>"
+     "</ContactPlate><SystemParams>",
+     23, "must not be negative"},
+    {"<SystemParams>",
      "<ContactCylinder><Origin>0 0 0</Origin><Axis>0 0 0</Axis></ContactCylinder><SystemParams>", 23,
      "no direction"},
     {"<SystemParams>",
