@@ -114,33 +114,48 @@ struct H8 {
     return R(0.5) * c.hourglass * sum;
   }
 
-  /// stiffness: coefficient times (lambda + 2 mu) [Pa]; k = stiffness V sum_a |B_a|^2 / 8 (Flanagan &
-  /// Belytschko 1981).
-  static Constants<double> make(const Vec3<double> (&X)[8], double stiffness) {
-    return from(X, mean_gradient(X), stiffness);
+  /// From rest positions. stiffness: coefficient times (lambda + 2 mu) [Pa]; k = stiffness V sum_a |B_a|^2 /
+  /// 8 (Flanagan & Belytschko 1981) with the exact volume V, as NiftySim has it in h8_fixed, too. With the
+  /// modes d, h of X, 64 V = d1.(d2 x d3) + (d1.(h3 x h2) + d2.(h1 x h3) + d3.(h2 x h1)) / 3: what is left of
+  /// the integral of det J, whose odd terms vanish. beta and eta are its derivatives over 64 V.
+  template <class R>
+  GLISSON_HD static Constants<R> rest_constants(const Vec3<R> (&X)[8], R stiffness, bool at_centre) {
+    Vec3<R> d[3], h[4], beta[3], eta[3];
+    hexahedron_modes(X, d, h);
+    const R third = R(1.0 / 3);
+    const Vec3<R> centre[3] = {cross(d[1], d[2]), cross(d[2], d[0]), cross(d[0], d[1])};
+    const Vec3<R> warp[3] = {third * cross(h[2], h[1]), third * cross(h[0], h[2]), third * cross(h[1], h[0])};
+    const R straight = dot(d[0], centre[0]);
+    const R whole = straight + dot(d[0], warp[0]) + dot(d[1], warp[1]) + dot(d[2], warp[2]);
+    const R volume64 = at_centre ? straight : whole, inverse = R(1) / volume64;
+    const R mean = at_centre ? R(0) : inverse;
+    eta[0] = (third * mean) * (cross(h[2], d[1]) + cross(d[2], h[1]));
+    eta[1] = (third * mean) * (cross(d[0], h[2]) + cross(h[0], d[2]));
+    eta[2] = (third * mean) * (cross(h[1], d[0]) + cross(d[1], h[0]));
+    R squares = R(0);
+    Constants<R> c;
+    for (int i = 0; i < 3; ++i) {
+      beta[i] = inverse * centre[i] + mean * warp[i];
+      squares = squares + dot(beta[i], beta[i]) + dot(eta[i], eta[i]);
+      put(c.beta[i], beta[i]), put(c.eta[i], eta[i]);
+    }
+    for (int m = 0; m < 4; ++m) put(c.chi[m], h[m]);
+    c.volume = R(1.0 / 64) * volume64;
+    c.hourglass = stiffness * (R(1.0 / 64) * whole) * squares;
+    return c;
   }
-  /// With the gradient of the centre and 8 det J, but k from the exact volume, as NiftySim has it.
+  static Constants<double> make(const Vec3<double> (&X)[8], double stiffness) {
+    return rest_constants(X, stiffness, false);
+  }
+  /// With the gradient of the centre and 8 det J.
   static Constants<double> make_fixed(const Vec3<double> (&X)[8], double stiffness) {
-    return from(X, centre_gradient(X), stiffness);
+    return rest_constants(X, stiffness, true);
   }
 
  private:
-  static Constants<double> from(const Vec3<double> (&X)[8], const HexahedronGradient& gradient,
-                                double stiffness) {
-    Constants<double> c{};
-    double squares = 0;
-    for (int j = 0; j < 3; ++j) {
-      double B[8];
-      for (int a = 0; a < 8; ++a) B[a] = gradient.B[a][j], squares += B[a] * B[a];
-      for (int i = 0; i < 3; ++i) c.beta[i][j] = hexahedron_mode(i, B) / 8;
-      for (int m = 0; m < 3; ++m) c.eta[m][j] = hexahedron_mode(3 + m, B) / 8;
-      double Xj[8];
-      for (int a = 0; a < 8; ++a) Xj[a] = j == 0 ? X[a].x : j == 1 ? X[a].y : X[a].z;
-      for (int m = 0; m < 4; ++m) c.chi[m][j] = hexahedron_mode(3 + m, Xj);
-    }
-    c.volume = gradient.volume;
-    c.hourglass = stiffness * mean_gradient(X).volume * squares / 8;
-    return c;
+  template <class R>
+  GLISSON_HD static void put(R (&to)[3], const Vec3<R>& a) {
+    to[0] = a.x, to[1] = a.y, to[2] = a.z;
   }
 };
 

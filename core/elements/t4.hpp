@@ -66,19 +66,24 @@ struct T4 {
     return R(0);
   }
 
-  /// From rest positions, in double.
-  static Constants<double> make(const Vec3<double> (&X)[4], double /*hourglass stiffness*/ = 0) {
-    const Vec3<double> a = X[1] - X[0], b = X[2] - X[0], c = X[3] - X[0];
-    const double six_volumes = dot(cross(a, b), c);
-    const Vec3<double> rows[3] = {cross(b, c), cross(c, a), cross(a, b)};
-    Constants<double> constants{};
+  /// From rest positions.
+  template <class R>
+  GLISSON_HD static Constants<R> rest_constants(const Vec3<R> (&X)[4], R /*hourglass stiffness*/ = R(0),
+                                                bool /*gradient of the centre*/ = false) {
+    const Vec3<R> a = X[1] - X[0], b = X[2] - X[0], c = X[3] - X[0];
+    const Vec3<R> rows[3] = {cross(b, c), cross(c, a), cross(a, b)};
+    const R six_volumes = dot(rows[2], c), inverse = R(1) / six_volumes;
+    Constants<R> constants;
     for (int i = 0; i < 3; ++i) {
-      constants.B[i][0] = rows[i].x / six_volumes;
-      constants.B[i][1] = rows[i].y / six_volumes;
-      constants.B[i][2] = rows[i].z / six_volumes;
+      constants.B[i][0] = inverse * rows[i].x;
+      constants.B[i][1] = inverse * rows[i].y;
+      constants.B[i][2] = inverse * rows[i].z;
     }
-    constants.volume = six_volumes / 6;
+    constants.volume = six_volumes * R(1.0 / 6);
     return constants;
+  }
+  static Constants<double> make(const Vec3<double> (&X)[4], double stiffness = 0) {
+    return rest_constants(X, stiffness);
   }
 };
 

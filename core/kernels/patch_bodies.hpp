@@ -2,38 +2,22 @@
 // the twin for tests runs the phases one after the other as loops.
 #pragma once
 
-#include <bit>
-
 #include <glisson/core/kernels/averaged_pressure.hpp>
 #include <glisson/core/kernels/patch_view.hpp>
 
 namespace glisson {
 
-/// Whether constants are stored [constant][element_count], so that the loads of neighbouring threads are one,
-/// and copied into registers. More than these do not fit and would be indexed by the integration point: they
-/// stay E::Constants<R> [element_count].
+/// Whether constants are formed anew from rest positions. Those of elements with several integration points
+/// do not fit into registers: they are read, E::Constants<R> [element_count].
 template <class E>
-constexpr bool interleaved_constants = E::constant_count <= 40;
-
-template <class R, class E>
-GLISSON_HD decltype(auto) patch_constants(const BlockView<R>& block, int e) {
-  using Constants = typename E::template Constants<R>;
-  if constexpr (interleaved_constants<E>) {
-    struct Values {
-      R of[E::constant_count];
-    } values;
-    const R* from = static_cast<const R*>(block.constants) + e;
-    for (int k = 0; k < E::constant_count; ++k) values.of[k] = from[std::size_t(k) * block.element_count];
-    return std::bit_cast<Constants>(values);
-  } else {
-    return (static_cast<const Constants*>(block.constants)[e]);
-  }
-}
+constexpr bool forms_constants = E::point_count == 1;
 
 /// What the phases of all bodies for elements E share.
 template <class R, class E>
 struct PatchBody {
   static constexpr int threads = patch_threads(E::node_count);
+  /// Values of memory per patch.
+  static constexpr std::size_t memory_size(int stride) { return PatchMemory<R>::size(stride); }
   PatchView<R> patches;
   PatchStep<R> step;
 
@@ -47,6 +31,23 @@ struct PatchBody {
     for (int a = 0; a < E::node_count; ++a) {
       const int i = place(e, a);
       u_e[a] = {memory.u(0)[i], memory.u(1)[i], memory.u(2)[i]};
+    }
+  }
+  GLISSON_HD void gather_rest(int e, const PatchMemory<R>& memory, Vec3<R> (&X_e)[E::node_count]) const {
+    for (int a = 0; a < E::node_count; ++a) {
+      const int i = place(e, a);
+      X_e[a] = {memory.rest(0)[i], memory.rest(1)[i], memory.rest(2)[i]};
+    }
+  }
+  GLISSON_HD decltype(auto) constants(int e, const PatchMemory<R>& memory) const {
+    if constexpr (forms_constants<E>) {
+      const RestView<R>& rest = patches.rest;
+      Vec3<R> X_e[E::node_count];
+      gather_rest(e, memory, X_e);
+      const R stiffness = rest.hourglass ? rest.hourglass[e * rest.hourglass_stride] : R(0);
+      return E::rest_constants(X_e, stiffness, rest.at_centre);
+    } else {
+      return (static_cast<const typename E::template Constants<R>*>(patches.block.constants)[e]);
     }
   }
   GLISSON_HD void put(int t, const Vec3<R> (&f_e)[E::node_count], const PatchMemory<R>& memory) const {
@@ -73,7 +74,7 @@ struct PatchForces : PatchBody<R, E> {
     Vec3<R> u_e[E::node_count], f_e[E::node_count];
     this->gather(e, memory, u_e);
     const L law = law_of<R, L>(block, e);
-    const auto& c = patch_constants<R, E>(block, e);
+    const auto& c = this->constants(e, memory);
     E::forces(c, u_e, PointStress<R, L, viscous>{block, law, e, this->step.store}, f_e);
     this->put(t, f_e, memory);
   }
@@ -85,10 +86,11 @@ struct PatchEnergy : PatchBody<R, E> {
     const int e = this->element(p, t);
     if (e < 0) return;
     const BlockView<R>& block = this->patches.block;
+    const auto memory = patch_memory(this->patches, values);
     Vec3<R> u_e[E::node_count];
-    this->gather(e, patch_memory(this->patches, values), u_e);
+    this->gather(e, memory, u_e);
     const L law = law_of<R, L>(block, e);
-    const auto& c = patch_constants<R, E>(block, e);
+    const auto& c = this->constants(e, memory);
     double sum = 0;
     E::points(c, u_e,
               [&](const Mat3<R>& H, R weight, int) { sum += double(weight) * double(law.energy(H)); });
@@ -102,10 +104,10 @@ struct PatchHourglassEnergy : PatchBody<R, E> {
   GLISSON_HD void evaluate(int p, int t, R* values) const {
     const int e = this->element(p, t);
     if (e < 0) return;
-    const BlockView<R>& block = this->patches.block;
+    const auto memory = patch_memory(this->patches, values);
     Vec3<R> u_e[E::node_count];
-    this->gather(e, patch_memory(this->patches, values), u_e);
-    block.energy[e] = double(E::hourglass_energy(patch_constants<R, E>(block, e), u_e));
+    this->gather(e, memory, u_e);
+    this->patches.block.energy[e] = double(E::hourglass_energy(this->constants(e, memory), u_e));
   }
   GLISSON_HD void sum(int, int, R*) const {}
 };
@@ -120,7 +122,7 @@ struct PatchPressure : PatchBody<R, T4> {
     const auto memory = patch_memory(this->patches, values);
     Vec3<R> u_e[4];
     this->gather(e, memory, u_e);
-    const auto& c = patch_constants<R, T4>(block, e);
+    const auto& c = this->constants(e, memory);
     memory.rows(0)[t] = c.volume * element_pressure(c, u_e, law_of<R, L>(block, e));
   }
   GLISSON_HD void sum(int p, int t, R* values) const {
@@ -153,7 +155,7 @@ struct PatchAveragedForces : AveragedPatchBody<R> {
     Vec3<R> u_e[4], f_e[4];
     this->gather(e, memory, u_e);
     const L law = law_of<R, L>(block, e);
-    const auto& c = patch_constants<R, T4>(block, e);
+    const auto& c = this->constants(e, memory);
     const R Jm_minus_1 = this->mean_pressure(e, memory) / law.bulk_modulus();
     const Mat3<R> H = averaged_gradient(T4::displacement_gradient(c, u_e), Jm_minus_1);
     T4::nodal_forces(c, PointStress<R, L, viscous>{block, law, e, this->step.store}(H, 0), f_e);
@@ -171,7 +173,7 @@ struct PatchAveragedEnergy : AveragedPatchBody<R> {
     Vec3<R> u_e[4];
     this->gather(e, memory, u_e);
     const L law = law_of<R, L>(block, e);
-    const auto& c = patch_constants<R, T4>(block, e);
+    const auto& c = this->constants(e, memory);
     block.energy[e] = averaged_energy(c, u_e, law, this->mean_pressure(e, memory) / law.bulk_modulus());
   }
   GLISSON_HD void sum(int, int, R*) const {}

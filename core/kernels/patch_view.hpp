@@ -14,15 +14,28 @@ namespace glisson {
 constexpr int patch_rows = 1024;
 /// Elements of a full patch, and threads, in whole warps: 256 tetrahedra or 128 hexahedra.
 constexpr int patch_threads(int corners) { return patch_rows / corners / 32 * 32; }
-/// Nodes of a patch at most: with four values per node and three per row, 48 KiB in double, which every GPU
+/// Nodes of a patch at most: with seven values per node and three per row, 48 KiB in double, which every GPU
 /// gives a block unasked. Elements in locality order stay far below.
-constexpr int patch_node_limit = 768;
+constexpr int patch_node_limit = 416;
+
+/// What the constants of elements follow from. Memory bounds these kernels, not arithmetic: a node's position
+/// is read once per patch, the constants of a tetrahedron would be 40 bytes, those of a hexahedron 128.
+template <class R>
+struct RestView {
+  const R* X = nullptr;  ///< from the middle of the patch [m]; null: not needed   [3][place_count]
+  const R* hourglass =
+      nullptr;  ///< H8: stiffness of rest_constants() [Pa]  [element_count], or with stride 0 one
+  int place_count = 0, hourglass_stride = 0;
+  bool at_centre = false;  ///< H8: with the gradient of the centre
+};
 
 /// The patches of one block of elements, in the backend's memory. A place is a node of a patch.
 template <class R>
 struct PatchView {
-  /// Without nodes, f_element, volume_change and nodal_pressure; constants as patch_constants() reads them.
+  /// Without nodes, f_element, volume_change and nodal_pressure; constants only where they are not formed
+  /// from rest positions.
   BlockView<R> block;
+  RestView<R> rest;
   const int* element_begin = nullptr;     ///< [patch_count + 1]
   const int* node_begin = nullptr;        ///< first place                                   [patch_count + 1]
   const int* interior_count = nullptr;    ///< the first places, which no other patch has    [patch_count]
@@ -49,15 +62,17 @@ struct PatchStep {
   bool store = true;           ///< advance the Prony history
 };
 
-/// The memory that the threads of a patch share: u by axis, T4ANP's pressure, rows by axis.
+/// The memory that the threads of a patch share: u by axis, T4ANP's pressure, rest positions and rows by
+/// axis.
 template <class R>
 struct PatchMemory {
   R* values;
   int stride;
   GLISSON_HD R* u(int axis) const { return values + axis * stride; }
   GLISSON_HD R* pressure() const { return values + 3 * stride; }
-  GLISSON_HD R* rows(int axis) const { return values + 4 * stride + axis * patch_rows; }
-  static constexpr std::size_t size(int stride) { return 4 * std::size_t(stride) + 3 * patch_rows; }
+  GLISSON_HD R* rest(int axis) const { return values + (4 + axis) * stride; }
+  GLISSON_HD R* rows(int axis) const { return values + 7 * stride + axis * patch_rows; }
+  static constexpr std::size_t size(int stride) { return 7 * std::size_t(stride) + 3 * patch_rows; }
 };
 
 template <class R>
@@ -73,6 +88,11 @@ GLISSON_HD void load_nodes(const PatchView<R>& patches, const Vec4<R>* u, int p,
   for (int i = t; i < count; i += threads) {
     const Vec4<R> w = u[patches.node[first + i]];
     memory.u(0)[i] = w.x, memory.u(1)[i] = w.y, memory.u(2)[i] = w.z;
+  }
+  if (!patches.rest.X) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    const R* X = patches.rest.X + axis * std::size_t(patches.rest.place_count) + first;
+    for (int i = t; i < count; i += threads) memory.rest(axis)[i] = X[i];
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 
 #include <glisson/core/base/error.hpp>
 #include <glisson/core/elements/h8.hpp>
@@ -69,7 +70,8 @@ void append_element(HostBlock<R>& block, const Mesh& mesh, int e, double stiffne
     append_constants<H8Full, R>(H8Full::make(X), block.constants);
   } else {
     const bool fixed = block.formulation == Formulation::h8_fixed;
-    append_constants<H8, R>(fixed ? H8::make_fixed(X, stiffness) : H8::make(X, stiffness), block.constants);
+    append_constants<H8, R>(H8::rest_constants(X, stiffness, fixed), block.constants);
+    block.hourglass.push_back(R(stiffness));
   }
 }
 
@@ -102,6 +104,10 @@ std::vector<Location> locate(const Model& model, std::vector<HostBlock<R>>& bloc
 template <class R>
 void compress_parameters(HostBlock<R>& block) {
   if (block.element_count == 0) return;
+  auto& stiffness = block.hourglass;
+  if (!stiffness.empty() &&
+      std::adjacent_find(stiffness.begin(), stiffness.end(), std::not_equal_to()) == stiffness.end())
+    stiffness.erase(stiffness.begin() + 1, stiffness.end());
   const std::size_t n = block.parameters.size() / static_cast<std::size_t>(block.element_count);
   for (std::size_t i = n; i < block.parameters.size(); ++i)
     if (block.parameters[i] != block.parameters[i % n]) {

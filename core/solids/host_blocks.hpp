@@ -22,6 +22,7 @@ struct HostBlock {
   std::vector<int> nodes;            ///< internal numbers [element_count][nodes_per_element]
   std::vector<R> parameters;         ///< [element_count or 1][parameter_count]
   std::vector<R> volumes;            ///< T4ANP: rest volumes [m^3] [element_count]
+  std::vector<R> hourglass;  ///< H8: stiffness of rest_constants() [Pa] [element_count, or one for all]
   /// First value in the canonical history (SolidForces::history) of each element [element_count]; empty
   /// without Prony terms.
   std::vector<std::size_t> history_place;

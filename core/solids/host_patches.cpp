@@ -1,7 +1,6 @@
 #include <glisson/core/solids/host_patches.hpp>
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 
 namespace glisson {
@@ -147,6 +146,16 @@ class PatchWriter {
   std::vector<int> local_, valence_;  ///< of the nodes of the patch [node_count]
 };
 
+/// The middle of the box around the nodes of a patch: what is small against it would be lost in float.
+Vec3<double> middle(const std::vector<Vec3<double>>& X) {
+  Vec3<double> low = X.front(), high = X.front();
+  for (const auto& x : X) {
+    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+  }
+  return 0.5 * (low + high);
+}
+
 }  // namespace
 
 template <class R>
@@ -167,16 +176,21 @@ PatchCut cut_into_patches(const std::vector<HostBlock<R>>& blocks, int node_coun
 }
 
 template <class R>
-std::vector<std::byte> interleaved(const HostBlock<R>& block) {
-  std::vector<std::byte> result(block.constants.size());
-  const std::size_t elements = at(block.element_count);
-  if (elements == 0) return result;
-  const std::size_t count = block.constants.size() / sizeof(R) / elements;
-  for (std::size_t e = 0; e < elements; ++e)
-    for (std::size_t k = 0; k < count; ++k)
-      std::memcpy(result.data() + (k * elements + e) * sizeof(R),
-                  block.constants.data() + (e * count + k) * sizeof(R), sizeof(R));
-  return result;
+std::vector<R> rest_positions(const HostPatches& patches, const Mesh& mesh, const Numbering& numbering) {
+  const std::size_t count = patches.node.size();
+  std::vector<R> X(3 * count);
+  for (int p = 0; p < patches.patch_count(); ++p) {
+    const std::size_t first = at(patches.node_begin[at(p)]), last = at(patches.node_begin[at(p) + 1]);
+    std::vector<Vec3<double>> of_patch;
+    for (std::size_t i = first; i < last; ++i)
+      of_patch.push_back(mesh.X[at(numbering.user_of_internal[at(patches.node[i])])]);
+    const Vec3<double> origin = middle(of_patch);
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec3<double> x = of_patch[i - first] - origin;
+      X[i] = R(x.x), X[count + i] = R(x.y), X[2 * count + i] = R(x.z);
+    }
+  }
+  return X;
 }
 
 template <class R>
@@ -198,8 +212,8 @@ std::vector<R> inverse_volumes(const std::vector<HostBlock<R>>& blocks, int node
 
 template PatchCut cut_into_patches(const std::vector<HostBlock<float>>&, int, int);
 template PatchCut cut_into_patches(const std::vector<HostBlock<double>>&, int, int);
-template std::vector<std::byte> interleaved(const HostBlock<float>&);
-template std::vector<std::byte> interleaved(const HostBlock<double>&);
+template std::vector<float> rest_positions(const HostPatches&, const Mesh&, const Numbering&);
+template std::vector<double> rest_positions(const HostPatches&, const Mesh&, const Numbering&);
 template std::vector<float> inverse_volumes(const std::vector<HostBlock<float>>&, int);
 template std::vector<double> inverse_volumes(const std::vector<HostBlock<double>>&, int);
 

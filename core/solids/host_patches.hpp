@@ -42,9 +42,9 @@ template <class R>
 PatchCut cut_into_patches(const std::vector<HostBlock<R>>& blocks, int node_count,
                           int node_limit = patch_node_limit);
 
-/// E::Constants<R> [element_count] as [constant][element_count].
+/// X of RestView  [3][place_count]
 template <class R>
-std::vector<std::byte> interleaved(const HostBlock<R>& block);
+std::vector<R> rest_positions(const HostPatches& patches, const Mesh& mesh, const Numbering& numbering);
 
 /// T4ANP: 1 / volume of the T4ANP elements around a node, 0 without any [1/m^3]  [node_count]; empty when no
 /// block is T4ANP.

@@ -36,8 +36,8 @@ struct PlainBodies {
   using MeanEnergy = AveragedEnergy<R, L>;
 };
 
-// StagedSolids stores constants accordingly.
-static_assert(interleaved_constants<T4> && interleaved_constants<H8> && !interleaved_constants<H8Full>);
+// StagedSolids keeps what they need.
+static_assert(forms_constants<T4> && forms_constants<H8> && !forms_constants<H8Full>);
 
 /// Those of patches.
 struct PatchBodies {

@@ -44,14 +44,19 @@ class StagedSolids final : public SolidForces<R> {
  private:
   using Dispatch = PatchDispatch<B, R>;
   using Function = typename Dispatch::Function;
+  /// What the constants of the elements of a block are or follow from.
+  struct Rest {
+    Buffer<std::byte> constants{};
+    Buffer<R> X{}, hourglass{};  ///< of RestView
+  };
   /// One block with its arrays.
   struct Block {
     BlockMaterial<B, R> material;
     const KernelSet<Function>* kernels = nullptr;
     int threads = 0;  ///< per patch
     PatchView<R> view{};
-    Buffer<std::byte> constants{};
     PatchArrays arrays;
+    Rest rest;
   };
 
   template <class T>
@@ -61,7 +66,11 @@ class StagedSolids final : public SolidForces<R> {
     bytes_ += from.size() * sizeof(T);
     return buffer;
   }
-  void add_block(HostBlock<R> host, const HostPatches& patches, int first_element);
+  void add_block(HostBlock<R> host, const HostPatches& patches, const Model& model,
+                 const Numbering& numbering, int first_element);
+  /// Lets the view point to it.
+  Rest upload_rest(const HostBlock<R>& host, const HostPatches& patches, const Model& model,
+                   const Numbering& numbering, PatchView<R>& view);
   void run(const Block& block, Function function, const StepView<R>& step, bool store) {
     Dispatch::run(backend_, function, block.view, PatchStep<R>{step.u, step.f, store}, block.threads,
                   memory_.get());
@@ -109,7 +118,7 @@ StagedSolids<B, R>::StagedSolids(B& backend, const Model& model, const Numbering
   int element = 0;
   for (std::size_t b = 0; b < hosts.size(); ++b) {
     const int elements = hosts[b].element_count;
-    add_block(std::move(hosts[b]), cut.blocks[b], element);
+    add_block(std::move(hosts[b]), cut.blocks[b], model, numbering, element);
     element += elements;
   }
   std::size_t memory = 0;
@@ -118,11 +127,26 @@ StagedSolids<B, R>::StagedSolids(B& backend, const Model& model, const Numbering
 }
 
 template <Backend B, class R>
-void StagedSolids<B, R>::add_block(HostBlock<R> host, const HostPatches& patches, int first_element) {
+auto StagedSolids<B, R>::upload_rest(const HostBlock<R>& host, const HostPatches& patches, const Model& model,
+                                     const Numbering& numbering, PatchView<R>& view) -> Rest {
+  Rest rest;
+  if (host.formulation == Formulation::h8_full) {
+    rest.constants = upload(host.constants);
+    view.block.constants = rest.constants.get();
+    return rest;
+  }
+  rest.X = upload(rest_positions<R>(patches, model.mesh, numbering));
+  rest.hourglass = upload(host.hourglass);
+  view.rest = {rest.X.get(), rest.hourglass.get(), static_cast<int>(patches.node.size()),
+               host.hourglass.size() > 1, host.formulation == Formulation::h8_fixed};
+  return rest;
+}
+
+template <Backend B, class R>
+void StagedSolids<B, R>::add_block(HostBlock<R> host, const HostPatches& patches, const Model& model,
+                                   const Numbering& numbering, int first_element) {
   const auto* kernels = Dispatch::find(host.law, host.formulation, host.viscous());
   const int threads = patch_threads(host.nodes_per_element);
-  // more constants than this stay one after the other, see patch_constants()
-  auto constants = upload(host.formulation == Formulation::h8_full ? host.constants : interleaved(host));
   PatchView<R> view{};
   PatchArrays arrays(backend_, patches, view);
   bytes_ += arrays.bytes();
@@ -130,10 +154,10 @@ void StagedSolids<B, R>::add_block(HostBlock<R> host, const HostPatches& patches
   view.slot_pressure = slot_pressure_.get();
   view.nodal_pressure = nodal_pressure_.get();
   view.inverse_volume = inverse_volume_.get();
-  Block block{{backend_, std::move(host)}, kernels, threads, view, std::move(constants), std::move(arrays)};
+  Rest rest = upload_rest(host, patches, model, numbering, view);
+  Block block{{backend_, std::move(host)}, kernels, threads, view, std::move(arrays), std::move(rest)};
   block.material.connect(block.view.block);
   bytes_ += block.material.memory_bytes();
-  block.view.block.constants = block.constants.get();
   block.view.block.energy = energy_.get() + first_element;
   blocks_.push_back(std::move(block));
 }

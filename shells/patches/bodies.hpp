@@ -1,5 +1,5 @@
 // The phases of patches of membranes and shells. Most constants of a triangle are formed anew from the rest
-// positions of its nodes, which a patch reads once: memory is what bounds these kernels, not arithmetic.
+// positions of its nodes, as those of solids (RestView).
 #pragma once
 
 #include <glisson/core/kernels/patch_bodies.hpp>
@@ -18,35 +18,16 @@ struct ShellPatchBody : PatchBody<R, E> {
   L law;
   bool wrinkling;
 
-  /// Values of memory per patch: after those of solids the rest positions by axis.
-  static constexpr std::size_t memory_size(int stride) {
-    return PatchMemory<R>::size(stride) + 3 * std::size_t(stride);
-  }
-  GLISSON_HD R* rest_position(R* values, int axis) const {
-    return values + PatchMemory<R>::size(this->patches.stride) + axis * this->patches.stride;
-  }
-  GLISSON_HD void load(int p, int t, R* values) const {
-    PatchBody<R, E>::load(p, t, values);
-    const int first = this->patches.node_begin[p], count = this->patches.node_begin[p + 1] - first;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int i = t; i < count; i += this->threads)
-        rest_position(values, axis)[i] = rest.X[axis * rest.place_count + first + i];
-  }
   /// use.template operator()<element>(constants, u_e) for a triangle; most shells have no images and need no
   /// arithmetic for them.
   template <class Use>
   GLISSON_HD_INLINE void with_constants(int e, R* values, const Use& use) const {
     const auto memory = patch_memory(this->patches, values);
-    const R *x = rest_position(values, 0), *y = rest_position(values, 1), *z = rest_position(values, 2);
     Vec3<R> X[E::node_count], u[E::node_count];
-    int place[E::node_count];
+    this->gather(e, memory, u);
+    this->gather_rest(e, memory, X);
     bool images = false;
-    for (int a = 0; a < E::node_count; ++a) {
-      const int i = place[a] = this->place(e, a);
-      u[a] = {memory.u(0)[i], memory.u(1)[i], memory.u(2)[i]};
-      X[a] = {x[i], y[i], z[i]};
-      if (a >= 3) images = images || i == place[a - 3];
-    }
+    for (int a = 3; a < E::node_count; ++a) images = images || this->place(e, a) == this->place(e, a - 3);
     if constexpr (E::node_count == 3)
       use.template operator()<E>(rest.membrane(e, X), u);
     else if (images)

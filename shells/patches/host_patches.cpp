@@ -16,35 +16,6 @@ void shorten(std::vector<T>& values, Equal&& equal) {
   if (same && !values.empty()) values.resize(1);
 }
 
-/// The middle of the box around the nodes of a patch: what is small against it would be lost in float.
-Vec3<double> middle(const std::vector<Vec3<double>>& X) {
-  Vec3<double> low = X.front(), high = X.front();
-  for (const auto& x : X) {
-    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
-    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
-  }
-  return 0.5 * (low + high);
-}
-
-/// [3][place_count]
-template <class R>
-std::vector<R> rest_positions(const HostPatches& patches, const Mesh& mesh, const Numbering& numbering) {
-  const std::size_t count = patches.node.size();
-  std::vector<R> X(3 * count);
-  for (int p = 0; p < patches.patch_count(); ++p) {
-    const std::size_t first = at(patches.node_begin[at(p)]), last = at(patches.node_begin[at(p) + 1]);
-    std::vector<Vec3<double>> of_patch;
-    for (std::size_t i = first; i < last; ++i)
-      of_patch.push_back(mesh.X[at(numbering.user_of_internal[at(patches.node[i])])]);
-    const Vec3<double> origin = middle(of_patch);
-    for (std::size_t i = first; i < last; ++i) {
-      const Vec3<double> x = of_patch[i - first] - origin;
-      X[i] = R(x.x), X[count + i] = R(x.y), X[2 * count + i] = R(x.z);
-    }
-  }
-  return X;
-}
-
 /// Of RotationFree: [16][element_count] and [12][element_count].
 template <class R>
 void store_shells(const HostShells& host, const std::vector<int>& order, HostRest<R>& rest) {

@@ -10,10 +10,6 @@
 
 namespace glisson::shells {
 
-/// Nodes of a patch at most: with seven values per node and those of the rows, 48 KiB in double, as
-/// patch_node_limit.
-constexpr int shell_patch_node_limit = 416;
-
 /// The places of the triangles of a section along the space-filling curve  [elements].
 std::vector<int> locality_order(const ShellSection& section, const Numbering& numbering);
 
@@ -21,7 +17,8 @@ std::vector<int> locality_order(const ShellSection& section, const Numbering& nu
 template <class R>
 HostBlock<R> patch_block(const HostShells& host, const std::vector<int>& order, const Numbering& numbering);
 
-/// The arrays of SectionRest; thickness and along have one value where all triangles have the same.
+/// X of RestView and the arrays of SectionRest; thickness and along have one value where all triangles have
+/// the same.
 template <class R>
 struct HostRest {
   std::vector<R> X, thickness, gradients, images;

@@ -20,12 +20,11 @@ struct StoredShell {
 /// One section in the backend's memory.
 template <class R>
 struct SectionRest {
-  const R* X = nullptr;            ///< from the middle of the patch [m]  [3][place_count]
   const R* thickness = nullptr;    ///< [m]  [element_count] or, with stride 0, one for all
   const Vec3<R>* along = nullptr;  ///< of the first axis; zero: the first side  [element_count] or one
   const R* gradients = nullptr;    ///< shells: of StoredShell  [16][element_count]
   const R* images = nullptr;       ///< shells: of StoredShell  [12][element_count]
-  int place_count = 0, element_count = 0;
+  int element_count = 0;
   int thickness_stride = 0, along_stride = 0;
   R plate = R(0), nu = R(0);  ///< shells: E / (12 (1 - nu^2)) of bending [Pa]; [-]
 

@@ -26,8 +26,8 @@ class RestArrays {
         images_(detail::upload(backend, rest.images)),
         along_(detail::upload(backend, rest.along)) {
     const double nu = section.bending_nu;
-    view_ = {X_.get(), thickness_.get(), along_.get(), gradients_.get(), images_.get()};
-    view_.place_count = static_cast<int>(rest.X.size() / 3);
+    view_ = {thickness_.get(), along_.get(), gradients_.get(), images_.get()};
+    positions_.X = X_.get(), positions_.place_count = static_cast<int>(rest.X.size() / 3);
     view_.element_count = static_cast<int>(section.elements.size());
     view_.thickness_stride = rest.thickness.size() > 1, view_.along_stride = rest.along.size() > 1;
     view_.plate = R(section.bending_E / (12 * (1 - nu * nu))), view_.nu = R(nu);
@@ -35,12 +35,14 @@ class RestArrays {
         (rest.X.size() + rest.thickness.size() + rest.gradients.size() + rest.images.size()) * sizeof(R) +
         rest.along.size() * sizeof(Vec3<R>);
   }
+  const RestView<R>& positions() const { return positions_; }
   const SectionRest<R>& view() const { return view_; }
   std::size_t bytes() const { return bytes_; }
 
  private:
   Buffer<R> X_, thickness_, gradients_, images_;
   Buffer<Vec3<R>> along_;
+  RestView<R> positions_;
   SectionRest<R> view_;
   std::size_t bytes_;
 };
@@ -61,6 +63,7 @@ class PatchShellBlock final : public ShellBlock<B, R> {
         law_(law_of_section<R, L>(section)),
         wrinkling_(section.wrinkling) {
     view_.block.element_count = static_cast<int>(section.elements.size());
+    view_.rest = rest_.positions();
   }
 
   void forces(const StepView<R>& step) override { run(Forces{body({step.u, step.f, step.advance})}); }
@@ -101,7 +104,7 @@ struct ShellCut {
       orders.push_back(locality_order(*host.section, numbering));
       blocks.push_back(patch_block<R>(host, orders.back(), numbering));
     }
-    patches = cut_into_patches(blocks, model.mesh.node_count(), shell_patch_node_limit);
+    patches = cut_into_patches(blocks, model.mesh.node_count());
   }
 };
 

@@ -1,4 +1,6 @@
 // What must hold of every element whatever the mesh: linear fields, rigid motions, momentum.
+#include <glisson/core/elements/h8.hpp>
+
 #include "solid_bench.hpp"
 
 namespace glisson::test {
@@ -122,6 +124,38 @@ TYPED_TEST(Elements, MixInOneMesh) {
   const Field other = SolidBench<TypeParam>(chessboard(false, true)).forces(u);
   for (std::size_t n = 0; n < sum.size(); ++n) sum[n] = sum[n] + other[n];
   EXPECT_LT(largest_difference(f, sum), 10 * SolidBench<TypeParam>::epsilon() * largest(f));
+}
+
+/// The closed form of the constants against 2x2x2 points, which integrate the gradients exactly.
+TYPED_TEST(Elements, HexahedraHaveTheConstantsOfTheirIntegrals) {
+  using R = TypeParam;
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<double> bend(-0.2, 0.2);
+  const double tolerance = 20 * SolidBench<R>::epsilon(), stiffness = 3;
+  for (int k = 0; k < 200; ++k) {
+    Vec3<double> X[8];
+    Vec3<R> rounded[8];
+    for (int a = 0; a < 8; ++a) {
+      const auto at = [&](int axis) { return double(float(0.5 * corner_sign(a, axis) + bend(engine))); };
+      X[a] = {at(0), at(1), at(2)};
+      rounded[a] = {R(X[a].x), R(X[a].y), R(X[a].z)};
+    }
+    for (const bool at_centre : {false, true}) {
+      const auto c = H8::rest_constants(rounded, R(stiffness), at_centre);
+      const HexahedronGradient exact = at_centre ? centre_gradient(X) : mean_gradient(X);
+      double squares = 0;
+      for (int a = 0; a < 8; ++a)
+        for (int j = 0; j < 3; ++j) {
+          double B = 0;
+          for (int i = 0; i < 3; ++i)
+            B += mode_sign(i, a) * double(c.beta[i][j]) + mode_sign(3 + i, a) * double(c.eta[i][j]);
+          EXPECT_NEAR(B, exact.B[a][j], tolerance);
+          squares += exact.B[a][j] * exact.B[a][j];
+        }
+      EXPECT_NEAR(double(c.volume), exact.volume, tolerance);
+      EXPECT_NEAR(double(c.hourglass), stiffness * mean_gradient(X).volume * squares / 8, 10 * tolerance);
+    }
+  }
 }
 
 }  // namespace

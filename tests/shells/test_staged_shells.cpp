@@ -214,11 +214,5 @@ TEST(StagedShellState, EvaluationAloneLeavesTheHistory) {
   EXPECT_EQ(other.get().history(), history);
 }
 
-TEST(ShellPatches, FitTheMemoryThatEveryDeviceGivesABlock) {
-  using Body = shells::ShellPatchForces<double, shells::RotationFree, shells::Linear<double>>;
-  EXPECT_LE(Body::memory_size(shells::shell_patch_node_limit) * sizeof(double), 48u << 10);
-  EXPECT_GT(Body::memory_size(shells::shell_patch_node_limit + 32) * sizeof(double), 48u << 10);
-}
-
 }  // namespace
 }  // namespace glisson::test
