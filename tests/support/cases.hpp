@@ -44,6 +44,7 @@ inline std::vector<Vec3<double>> final_displacement(const Model& model, const Ca
 
 constexpr Case serial_double{"SerialDouble", "serial", Precision::double_precision};
 constexpr Case threads_float{"ThreadsFloat", "cpu", Precision::single_precision};
+constexpr Case emulated_float{"EmulatedFloat", "emulated", Precision::single_precision};
 constexpr Case cuda_float{"CudaFloat", "cuda", Precision::single_precision};
 
 /// Every row that runs on the CPU.
@@ -51,7 +52,7 @@ inline const Case all_cases[] = {serial_double,
                                  {"SerialFloat", "serial", Precision::single_precision},
                                  {"ThreadsDouble", "cpu", Precision::double_precision},
                                  threads_float,
-                                 {"EmulatedFloat", "emulated", Precision::single_precision}};
+                                 emulated_float};
 
 inline std::vector<Case> cases_with_gpu() {
   std::vector<Case> cases(std::begin(all_cases), std::end(all_cases));
