@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <ostream>
 #include <thread>
 
 #include <glisson/app/box_case.hpp>
 #include <glisson/app/commands.hpp>
+#include <glisson/app/contact_case.hpp>
 #include <glisson/app/ensemble_bench.hpp>
 #include <glisson/app/sheet_case.hpp>
 #include <glisson/core/base/error.hpp>
@@ -26,10 +28,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A box of solids, or a sheet of triangles.
+/// A box of solids, a sheet of triangles, or two blocks that touch, or do not.
 struct Variant {
   std::string name;
   std::function<Model(int elements)> model;
+  int warm_up_steps = 30;
 };
 
 constexpr double endless = 100;  ///< no bench reaches the end of the run [s]
@@ -57,6 +60,10 @@ std::vector<Variant> variants() {
   };
   for (const auto& [name, sheet] : sheets)
     list.push_back({name, [sheet](int elements) { return sheet_model(sheet, elements, endless); }});
+  // until the blocks, which are pressed on each other, have come to rest
+  for (const auto& [name, touch] : {std::pair{"T4-blocks", false}, std::pair{"T4-contact", true}})
+    list.push_back(
+        {name, [touch = touch](int elements) { return contact_model(elements, endless, touch); }, 1000});
   return list;
 }
 
@@ -77,7 +84,7 @@ std::vector<Variant> chosen(const std::vector<std::string>& names) {
 }
 
 /// A turn must be long enough that the first step after another variant's turn does not decide.
-constexpr int warm_up_steps = 30, fewest_steps = 10;
+constexpr int fewest_steps = 10;
 
 /// One variant at one size, kept alive so that variants take turns.
 struct Entry {
@@ -87,11 +94,16 @@ struct Entry {
   std::int64_t steps_per_turn = 1;
   std::vector<double> seconds_per_step;
   double set_up = 0;  ///< [s]
+  std::vector<NamedContact> contacts;  ///< before the turns
 
   double run(std::int64_t steps) {
     const auto start = Clock::now();
     simulation->step(steps);
     return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  double mean() const {
+    return std::accumulate(seconds_per_step.begin(), seconds_per_step.end(), 0.0) /
+           static_cast<double>(seconds_per_step.size());
   }
   double median() {
     std::sort(seconds_per_step.begin(), seconds_per_step.end());
@@ -118,11 +130,12 @@ Entry prepare(const Variant& variant, int elements, const BenchArguments& argume
   const auto start = Clock::now();
   entry.simulation = make_simulation(*entry.model, options);
   entry.set_up = std::chrono::duration<double>(Clock::now() - start).count();
-  entry.run(warm_up_steps);
+  entry.run(variant.warm_up_steps);
   const double once = entry.run(fewest_steps) / fewest_steps;
   entry.steps_per_turn = std::clamp<std::int64_t>(static_cast<std::int64_t>(0.05 * arguments.seconds / once),
                                                   fewest_steps, 100000);
   entry.run(entry.steps_per_turn);
+  entry.contacts = entry.simulation->contacts();
   return entry;
 }
 
@@ -135,17 +148,23 @@ nlohmann::ordered_json result_of(Entry& entry, double bandwidth) {
   fmt::print("{:<14} {:>9} {:>10.4f} {:>8.2f} {:>8.2f} {:>9} {:>8.0f} % {:>8.2f}\n", entry.name,
              elements, 1e3 * step, 1e9 * step / elements, 1e9 * best / elements,
              static_cast<long>(bytes / elements), 100 * bytes / step / bandwidth, entry.set_up);
-  return {{"case", entry.name},
-          {"elements", elements},
-          {"nodes", mesh.node_count()},
-          {"device", entry.simulation->device()},
-          {"ms_per_step", 1e3 * step},
-          {"ns_per_element_and_step", 1e9 * step / elements},
-          {"ns_per_element_and_step_best", 1e9 * best / elements},
-          {"array_bytes", bytes},
-          {"share_of_bandwidth", bytes / step / bandwidth},
-          {"set_up_s", entry.set_up},
-          {"turns", entry.seconds_per_step.size()}};
+  nlohmann::ordered_json result{{"case", entry.name},
+                                {"elements", elements},
+                                {"nodes", mesh.node_count()},
+                                {"device", entry.simulation->device()},
+                                {"ms_per_step", 1e3 * step},
+                                {"ns_per_element_and_step", 1e9 * step / elements},
+                                {"ns_per_element_and_step_best", 1e9 * best / elements},
+                                {"array_bytes", bytes},
+                                {"share_of_bandwidth", bytes / step / bandwidth},
+                                {"set_up_s", entry.set_up},
+                                {"turns", entry.seconds_per_step.size()}};
+  const auto turns = static_cast<std::int64_t>(entry.seconds_per_step.size());
+  if (!entry.contacts.empty())
+    result["contact"] =
+        contact_per_step(entry.contacts.front().report, entry.simulation->contacts().front().report,
+                         turns * entry.steps_per_turn, entry.mean());
+  return result;
 }
 
 /// All variants take turns at each size.

@@ -64,6 +64,11 @@ class ListContact : public ForceProvider<R>, public ContactSource {
   std::string_view name() const override { return name_; }
   Space space() const override { return B::space; }
   bool needs_prediction() const override { return true; }
+  std::vector<int> nodes_to_predict() const override {
+    std::vector<int> nodes(static_cast<std::size_t>(count_));
+    if (!nodes.empty()) backend_.copy_out(nodes_.get(), nodes.data(), nodes.size());
+    return nodes;
+  }
   double work() const override { return work_.total(); }
   ContactReport report() const override {
     std::vector<ContactPart> parts(std::size_t(work_.chunk_count()));

@@ -45,6 +45,13 @@ concept ListsNodes = requires(const F& body, int i) {
   { body.node_count } -> std::convertible_to<int>;
 };
 
+/// A body whose calls take different times says what those before call i take together, in any unit and for i
+/// up to the end of the loop: a backend can then give each of its threads the same work.
+template <class F>
+concept WeighsCalls = requires(const F& body, int i) {
+  { body.work_before(i) } -> std::convertible_to<long long>;
+};
+
 /// for_each runs body(0) ... body(n - 1) in any order and returns when they are visible to the next call.
 /// Bodies are trivially copyable, write disjoint places and never see the host.
 template <class B>
@@ -56,5 +63,29 @@ concept Backend = requires(B& backend, std::size_t n, const float* from, float* 
   { backend.for_each(int(n), body) } -> std::same_as<void>;
   { backend.stream() } -> std::same_as<void*>;
 };
+
+/// Loops of a backend one after the other, without a team.
+template <Backend B>
+struct LoopsOneByOne {
+  B& backend;
+  static constexpr int team_size = 1;
+  template <class F>
+  void operator()(int n, const F& body) const {
+    backend.for_each(n, body);
+  }
+};
+
+/// Loops one after the other: script(loop) calls loop(n, body) for each, which stands for for_each(n, body).
+/// A backend with a team runs the script on each of its threads, which then start once and wait for each
+/// other between the loops only; so the script must come to the same loops on each, and change nothing
+/// itself. loop.team_size: calls that all run at a time, for bodies that divide something by themselves cost:
+/// of the longest loop, as cost_of_body
+template <Backend B, class Script>
+void run_loops(B& backend, long long cost, const Script& script) {
+  if constexpr (requires { backend.run_loops(cost, script); })
+    backend.run_loops(cost, script);
+  else
+    script(LoopsOneByOne<B>{backend});
+}
 
 }  // namespace glisson

@@ -56,6 +56,8 @@ class ForceProvider {
   /// Largest stable step that this provider allows [s].
   virtual double stable_step() const { return std::numeric_limits<double>::infinity(); }
   virtual bool needs_prediction() const { return false; }
+  /// Internal nodes whose prediction it looks at; empty: all. Others may not be predicted.
+  virtual std::vector<int> nodes_to_predict() const { return {}; }
   /// Whether those after it need a prediction that has this force in it.
   virtual bool moves_prediction() const { return false; }
   /// Whether it needs a prediction that has the forces of those before it in it.

@@ -56,6 +56,24 @@ constexpr Share share_of(int n, int thread, int thread_count, int grain = 64) {
   return {cut(thread), cut(thread + 1)};
 }
 
+/// Places that a thread has equal work with: work_before(i) rises from 0 to that of all n.
+template <class WorkBefore>
+constexpr Share weighed_share(int n, int thread, int thread_count, WorkBefore&& work_before) {
+  const long long all = work_before(n);
+  auto cut = [&](int t) {
+    int first = 0, last = n;
+    while (first < last) {
+      const int middle = first + (last - first) / 2;
+      if (work_before(middle) < all * t / thread_count)
+        first = middle + 1;
+      else
+        last = middle;
+    }
+    return first;
+  };
+  return {cut(thread), thread + 1 == thread_count ? n : cut(thread + 1)};
+}
+
 /// The entries of a list of n that belong to a thread: those whose ascending nodes lie in its share of all
 /// nodes.
 template <class NodeOf>

@@ -46,7 +46,7 @@ class Threads : public HostCopies {
   template <class F>
   void for_each(int n, F body) {
     static_assert(std::is_trivially_copyable_v<F>);
-    constexpr int cost = cost_of_body<F>(), grain = std::max(1, 64 / cost),
+    constexpr int cost = cost_of_body<F>(),
                   serial = ListsNodes<F> ? serial_nodes_below : (serial_below + cost - 1) / cost;
     if (n < serial || thread_count() == 1) {
       const detail::FlushToZero flush;
@@ -54,18 +54,47 @@ class Threads : public HostCopies {
       return;
     }
     team_.run([this, n, body](int thread) {
-      const Share share = share_of_body(n, thread, grain, body);
+      const Share share = share_of_body(n, thread, body);
       run_body(body, share.first, share.last);
     });
   }
+  /// As glisson::run_loops.
+  template <class Script>
+  void run_loops(long long cost, const Script& script) {
+    if (cost < serial_below || thread_count() == 1) {
+      const detail::FlushToZero flush;
+      script(LoopsOfThread{*this, 0, 1});
+    } else {
+      team_.run([&](int thread) { script(LoopsOfThread{*this, thread, team_.size()}); });
+    }
+  }
 
  private:
+  /// What a script sees of the loops in one thread of the team.
+  struct LoopsOfThread {
+    Threads& threads;
+    int thread, team_size;
+    bool started = false;
+    template <class F>
+    void operator()(int n, const F& body) {
+      if (started && team_size > 1) threads.team_.barrier();
+      started = true;
+      const Share share = team_size > 1 ? threads.share_of_body(n, thread, body) : Share{0, n};
+      threads.run_body(body, share.first, share.last);
+    }
+  };
   template <class F>
-  Share share_of_body(int n, int thread, int grain, const F& body) const {
-    if constexpr (ListsNodes<F>)
+  static constexpr int grain_of() {
+    return std::max(1, 64 / cost_of_body<F>());
+  }
+  template <class F>
+  Share share_of_body(int n, int thread, const F& body) const {
+    if constexpr (WeighsCalls<F>)
+      return weighed_share(n, thread, team_.size(), [&](int i) { return body.work_before(i); });
+    else if constexpr (ListsNodes<F>)
       return listed_share(n, thread, team_.size(), body.node_count, [&](int i) { return body.node(i); });
     else
-      return share_of(n, thread, team_.size(), grain);
+      return share_of(n, thread, team_.size(), grain_of<F>());
   }
 
   template <class F>

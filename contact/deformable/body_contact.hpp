@@ -45,7 +45,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   /// an inside, a pair that names no body and bodies that start in each other too deep.
   BodyContact(B& backend, const Model& model, const Numbering& numbering, HostParts parts = {})
       : backend_(backend),
-        mesh_(contact_mesh(model)),
+        mesh_(contact_mesh(model, numbering)),
         rules_(model, mesh_),
         distances_(contact_distances(model.contact, mesh_)),
         search_(mesh_, rules_, distances_.reach),
@@ -62,6 +62,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   std::string_view name() const override { return "contact of deformable bodies"; }
   Space space() const override { return B::space; }
   bool needs_prediction() const override { return true; }
+  std::vector<int> nodes_to_predict() const override { return internal_; }
   /// A node that something rigid holds would otherwise seem to move as fast as it is pressed against it.
   bool needs_forces_before() const override { return true; }
   double work() const override { return work_.total(); }
@@ -69,12 +70,12 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   void add_forces(const StepView<R>& step) override {
     if (!step.advance) return add_next_forces(step);
     const auto start = std::chrono::steady_clock::now();
-    surface_.place(step, lists_.force().get());
+    surface_.place(step, lists_.force().get(), !leaves_points());
     surface_.keep_extent();
     if (steps_to_look_ > 0)
       --steps_to_look_;
     else
-      look();
+      look(step);
     if (!lost_) resolve(motion_);
     work_.run(step, lists_.internal_nodes(), lists_.found_force(), lists_.node_count());
     seconds_ += since(start);
@@ -108,7 +109,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   /// The forces that the next step will find with the candidates of the last one; leaves no trace.
   void add_next_forces(const StepView<R>& step) {
     const auto kept = lists_.keep();
-    surface_.place(step, lists_.force().get());
+    surface_.place(step, lists_.force().get(), !leaves_points());
     const Extent<R> extent = steps_to_look_ > 0 ? Extent<R>{R(0), R(motion_ * motion_)} : surface_.extent();
     if (!lost_ && std::isfinite(double(extent.drift))) resolve(std::sqrt(double(extent.motion)));
     work_.run(step, lists_.internal_nodes(), lists_.found_force(), lists_.node_count());
@@ -116,7 +117,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   }
   /// Searches if a node went too far. Without search the candidates hold for those steps in which no node
   /// uses up the room that is left at twice the speed of now.
-  void look() {
+  void look(const StepView<R>& step) {
     const Extent<R> extent = surface_.extent();
     surface_.forget_extent();
     ++looks_;
@@ -125,6 +126,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     motion_ = std::sqrt(double(extent.motion));
     double drift = std::sqrt(double(extent.drift));
     if (!listed_ || !(drift < room_)) {
+      if (leaves_points()) surface_.place(step, lists_.force().get(), true);
       search(motion_);
       drift = 0;
     }
@@ -136,6 +138,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     if (B::space == Space::host || 8 * motion_ > distances_.reach) return 0;
     return left < 2 * motion_ * most_quiet_steps ? static_cast<int>(left / (2 * motion_)) : most_quiet_steps;
   }
+  bool leaves_points() const { return listed_ && surface_.may_leave_points(); }
   /// Candidates for nodes that move up to 3 such steps or `room` without another search.
   void search(double motion) {
     const auto start = Clock::now();
@@ -148,7 +151,9 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   void list(const std::vector<int>& extra) {
     surface_.reference_to(x_);
     const double margin = room_ * distances_.swing + 0.5 * distances_.reach;
-    lists_.put(search_.find(x_, margin, parts_, pair_source_), extra, internal_);
+    const Candidates& found = search_.find(x_, margin, parts_, pair_source_);
+    lists_.put(found, extra, internal_);
+    surface_.want(lists_.host_nodes(), found);
     listed_ = true;
   }
   /// motion: of the fastest node in the step [m]
@@ -156,29 +161,43 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     const SurfaceView<R> surface = surface_.view();
     const TouchLimits<R> limits{R(distances_.reach), R(distances_.offset), R(distances_.close),
                                 R(distances_.slack), R(distances_.penalty)};
-    const PushedNodes<R> pushed = lists_.pushed();
-    const int slots = lists_.slots(), nodes = lists_.node_count();
-    if (nodes == 0) return;
+    const int slots = lists_.slots();
+    if (lists_.node_count() == 0) return;
     const double swept = 4 * motion > distances_.reach ? 2 * distances_.swing * motion + distances_.slack : 0;
     const auto start = Clock::now();
-    backend_.for_each(lists_.groups(), lists_.find_facets(surface, limits, R(swept)));
-    backend_.for_each(slots - lists_.groups(), lists_.find_edges(surface, limits));
+    run_loops(backend_, long(FindFacetTouch<R>::cost) * slots, [&](auto&& loop) {
+      loop(lists_.groups(), lists_.find_facets(surface, limits, R(swept)));
+      loop(slots - lists_.groups(), lists_.find_edges(surface, limits));
+    });
     touch_seconds_ += since(start);
     const auto found = Clock::now();
-    backend_.for_each(nodes, ListPushing<R>{pushed, lists_.touches(), surface.to, surface.guess});
-    backend_.for_each(slots, SetGain<R>{lists_.touches(), pushed.share});
+    iterate(surface);
+    force_seconds_ += since(found);
+  }
+  /// All multipliers of the touches that were found.
+  void iterate(const SurfaceView<R>& surface) {
+    const PushedNodes<R> pushed = lists_.pushed();
+    const int slots = lists_.slots(), nodes = lists_.node_count();
     const bool penalty = distances_.penalty > 0;
     const int iterations = penalty && !rules_.any_friction() ? 1 : contact_iterations;
-    double momentum = 1;  // Nesterov's t
-    for (int i = 0; i < iterations; ++i) {
-      const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum * momentum));
-      const double ahead = i + 1 < iterations ? (momentum - 1) / next : 0;
-      const double share = !penalty ? 1 : i == 0 ? distances_.penalty : 0;
-      momentum = next;
-      backend_.for_each(slots, PushTouches<R>{lists_.touches(), pushed.moved, R(ahead), R(share)});
-      backend_.for_each(nodes, MovePushed<R>{pushed, lists_.touches(), surface});
-    }
-    force_seconds_ += since(found);
+    run_loops(backend_, long(PushTouches<R>::cost) * slots, [&](auto&& loop) {
+      const ListPushing<R> list{pushed, lists_.touches(), surface};
+      if constexpr (B::space == Space::host)
+        loop(loop.team_size, DealTouches<R>{list, loop.team_size, nodes, slots});
+      else
+        loop(nodes, list);
+      loop(slots, SetGain<R>{lists_.touches(), pushed.entry, pushed.share});
+      double momentum = 1;  // Nesterov's t
+      for (int i = 0; i < iterations; ++i) {
+        const bool last = i + 1 == iterations;
+        const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum * momentum));
+        const double ahead = last ? 0 : (momentum - 1) / next;
+        const double share = !penalty ? 1 : i == 0 ? distances_.penalty : 0;
+        momentum = next;
+        loop(slots, PushTouches<R>{lists_.touches(), pushed.moved, pushed.push, R(ahead), R(share)});
+        loop(nodes, MovePushed<R>{pushed, last});
+      }
+    });
   }
 
   B& backend_;

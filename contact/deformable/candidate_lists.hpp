@@ -26,13 +26,18 @@ class CandidateLists {
         incident_(backend),
         pushing_(backend),
         pushing_count_(backend),
+        weight_(backend),
+        share_(backend),
+        mobility_(backend),
+        guess_(backend),
+        moved_(backend),
+        push_(backend),
         bias_(backend),
         friction_(backend),
         entry_(backend),
         touches_(backend),
-        share_(detail::zeros<R>(backend, mesh.nodes.size())),
+        entry_of_(detail::zeros<int>(backend, mesh.nodes.size())),
         deepest_(detail::zeros<R>(backend, mesh.nodes.size())),
-        moved_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
         force_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
         last_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
         host_(mesh.nodes.size()) {}
@@ -82,8 +87,9 @@ class CandidateLists {
             limits};
   }
   PushedNodes<R> pushed() const {
-    return {nodes_.get(), incident_begin_.get(), incident_.get(), pushing_.get(), pushing_count_.get(),
-            share_.get(), deepest_.get(),        moved_.get(),    force_.get()};
+    return {nodes_.get(),  entry_of_.get(),      incident_begin_.get(), incident_.get(), pushing_.get(),
+            weight_.get(), pushing_count_.get(), share_.get(),          mobility_.get(), guess_.get(),
+            moved_.get(),  push_.get(),          deepest_.get(),        force_.get()};
   }
   FoundForce<R> found_force() const { return {nodes_.get(), force_.get(), last_.get()}; }
   /// What the next step needs to know of each slot.
@@ -188,7 +194,15 @@ class CandidateLists {
     incident_begin_.put(host_begin_);
     incident_.put(found.incident);
     pushing_.resize(found.incident.size());
+    weight_.resize(found.incident.size());
+    push_.resize(std::size_t(slots_));
     pushing_count_.resize(host_nodes_.size());
+    share_.resize(host_nodes_.size());
+    for (auto* rows : {&mobility_, &guess_, &moved_}) rows->resize(host_nodes_.size());
+    host_entry_.assign(host_.size(), 0);
+    for (std::size_t e = 0; e < host_nodes_.size(); ++e)
+      host_entry_[std::size_t(host_nodes_[e])] = static_cast<int>(e);
+    backend_.copy_in(host_entry_.data(), entry_of_.get(), host_entry_.size());
   }
 
   B& backend_;
@@ -197,12 +211,15 @@ class CandidateLists {
   Buffer<EdgeCorners> edges_;
   Resizable<B, int> group_node_, group_begin_, facets_, pairs_, nodes_, internal_, incident_begin_, incident_,
       pushing_, pushing_count_;
+  Resizable<B, R> weight_, share_;
+  Resizable<B, Vec4<R>> mobility_, guess_, moved_, push_;
   Resizable<B, R> bias_, friction_, entry_;
   Resizable<B, Touch<R>> touches_;
-  Buffer<R> share_, deepest_;  ///< [surface nodes], like those below
-  Buffer<Vec4<R>> moved_, force_, last_;
+  Buffer<int> entry_of_;  ///< [surface nodes], like those below
+  Buffer<R> deepest_;
+  Buffer<Vec4<R>> force_, last_;
   std::vector<Vec4<R>> host_;
-  std::vector<int> host_nodes_, host_begin_, host_internal_, host_pairs_;
+  std::vector<int> host_nodes_, host_begin_, host_internal_, host_entry_, host_pairs_;
   std::vector<R> host_reals_;
   std::vector<Memory> host_memory_;
   std::vector<Touch<R>> host_touches_;

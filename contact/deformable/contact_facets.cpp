@@ -49,8 +49,9 @@ struct Mean {
 
 class FacetFinder {
  public:
-  explicit FacetFinder(const Model& model)
+  FacetFinder(const Model& model, const Numbering* numbering)
       : mesh_(model.mesh),
+        numbering_(numbering),
         solids_(outer_surface(model.mesh)),
         half_(half_thicknesses(model)),
         no_sheet_(model.mesh.triangles.size()),
@@ -116,6 +117,10 @@ class FacetFinder {
       for (const int n : mesh_.triangles[at(t)]) result_.nodes.push_back(n);
     std::sort(result_.nodes.begin(), result_.nodes.end());
     result_.nodes.erase(std::unique(result_.nodes.begin(), result_.nodes.end()), result_.nodes.end());
+    if (numbering_)
+      std::sort(result_.nodes.begin(), result_.nodes.end(), [&](int a, int b) {
+        return numbering_->internal_of_user[at(a)] < numbering_->internal_of_user[at(b)];
+      });
     outer_.assign(mesh_.X.size(), -1);
     for (int k = 0; k < static_cast<int>(result_.nodes.size()); ++k) outer_[at(result_.nodes[at(k)])] = k;
     front_ = back_ = outer_;
@@ -160,6 +165,7 @@ class FacetFinder {
   }
 
   const Mesh& mesh_;
+  const Numbering* numbering_;  ///< order of the nodes; none: as they are
   std::vector<Facet> solids_;
   std::vector<double> half_;      ///< of each triangle [m]
   std::vector<bool> no_sheet_;    ///< the triangle lies on or in a solid
@@ -184,7 +190,10 @@ std::vector<int> bodies(const Model& model, std::size_t count, int NamedElements
 
 }  // namespace
 
-ContactFacets contact_facets(const Model& model) { return FacetFinder(model).find(); }
+ContactFacets contact_facets(const Model& model) { return FacetFinder(model, nullptr).find(); }
+ContactFacets contact_facets(const Model& model, const Numbering& numbering) {
+  return FacetFinder(model, &numbering).find();
+}
 
 std::vector<int> body_of_elements(const Model& model) {
   return bodies(model, at(model.mesh.element_count()), &NamedElements::first, &NamedElements::count);

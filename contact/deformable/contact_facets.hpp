@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glisson/core/model.hpp>
+#include <glisson/core/numbering.hpp>
 
 namespace glisson::contact {
 
@@ -27,7 +28,7 @@ struct ContactFacet {
 
 /// Corner numbers below node_count are places in `nodes`, those from there on are side points.
 struct ContactFacets {
-  std::vector<int> nodes;  ///< of the mesh, rising
+  std::vector<int> nodes;  ///< of the mesh, rising; or as their internal numbers rise
   std::vector<SidePoint> beside;
   std::vector<ContactFacet> facets;  ///< those of the solids first
 };
@@ -37,6 +38,8 @@ struct ContactFacets {
 /// 5.3.3), and a rim at free borders. At nodes of a solid, and where more than two triangles meet at an edge
 /// or two parts of a sheet at a node, a sheet has no thickness.
 ContactFacets contact_facets(const Model& model);
+/// The same with the nodes in the order of the engine, in which neighbours lie near each other.
+ContactFacets contact_facets(const Model& model, const Numbering& numbering);
 
 /// body of each solid element and of each shell triangle, as ContactFacet::body.
 std::vector<int> body_of_elements(const Model& model);

@@ -224,18 +224,41 @@ void set_edge_length(ContactMesh& mesh) {
   mesh.edge_length = *quarter;
 }
 
-void set_touching_nodes(ContactMesh& mesh, const std::vector<int>& listed) {
+void set_touching_nodes(ContactMesh& mesh, const Model& model) {
+  const std::vector<int>& listed = model.contact.nodes;
   mesh.may_touch.assign(mesh.nodes.size(), listed.empty());
+  std::vector<int> place(listed.empty() ? 0 : model.mesh.X.size(), -1);
+  for (std::size_t k = 0; k < mesh.nodes.size() && !place.empty(); ++k)
+    place[at(mesh.nodes[k])] = static_cast<int>(k);
   for (const int n : listed) {
-    const auto place = std::lower_bound(mesh.nodes.begin(), mesh.nodes.end(), n);
-    if (place == mesh.nodes.end() || *place != n)
+    if (place[at(n)] < 0)
       throw Error(ErrorKind::input,
                   "node " + std::to_string(n) +
                       " is listed as one that may touch, but it is neither on the outer surface of the "
                       "solids nor a node of a membrane or shell. Take it off the list",
                   {"", 0, contact_place});
-    mesh.may_touch[static_cast<std::size_t>(place - mesh.nodes.begin())] = true;
+    mesh.may_touch[at(place[at(n)])] = true;
   }
+}
+
+ContactMesh mesh_of(const Model& model, ContactFacets its) {
+  if (its.facets.empty())
+    throw Error(ErrorKind::input, "it needs elements, but there are none", {"", 0, contact_place});
+  ContactMesh mesh;
+  mesh.nodes = std::move(its.nodes);
+  mesh.beside = std::move(its.beside);
+  set_nodes(mesh, model);
+  set_sizes(mesh, its.facets);
+  set_triangles(mesh, its.facets);
+  set_regions(mesh, its.facets);
+  set_around(mesh);
+  set_near(mesh);
+  lengthen_at_edges(mesh);
+  mesh.append_points(mesh.X);
+  set_edges(mesh, model.mesh);
+  set_edge_length(mesh);
+  set_touching_nodes(mesh, model);
+  return mesh;
 }
 
 }  // namespace
@@ -278,25 +301,9 @@ void ContactMesh::append_points(std::vector<Vec3<double>>& x) const {
   for (const auto& q : quads) x.push_back(0.25 * ((x[at(q[0])] + x[at(q[1])]) + (x[at(q[2])] + x[at(q[3])])));
 }
 
-ContactMesh contact_mesh(const Model& model) {
-  ContactFacets its = contact_facets(model);
-  if (its.facets.empty())
-    throw Error(ErrorKind::input, "it needs elements, but there are none", {"", 0, contact_place});
-  ContactMesh mesh;
-  mesh.nodes = std::move(its.nodes);
-  mesh.beside = std::move(its.beside);
-  set_nodes(mesh, model);
-  set_sizes(mesh, its.facets);
-  set_triangles(mesh, its.facets);
-  set_regions(mesh, its.facets);
-  set_around(mesh);
-  set_near(mesh);
-  lengthen_at_edges(mesh);
-  mesh.append_points(mesh.X);
-  set_edges(mesh, model.mesh);
-  set_edge_length(mesh);
-  set_touching_nodes(mesh, model.contact.nodes);
-  return mesh;
+ContactMesh contact_mesh(const Model& model) { return mesh_of(model, contact_facets(model)); }
+ContactMesh contact_mesh(const Model& model, const Numbering& numbering) {
+  return mesh_of(model, contact_facets(model, numbering));
 }
 
 }  // namespace glisson::contact

@@ -26,7 +26,7 @@ struct ContactEdge {
 /// cut along one diagonal, an interface of grids that do not match could warp without opening, in a way that
 /// a uniform stress works on.
 struct ContactMesh {
-  std::vector<int> nodes;                          ///< node of the mesh, rising [-]          [node_count]
+  std::vector<int> nodes;                          ///< node of the mesh, as ContactFacets::nodes [node_count]
   std::vector<SidePoint> beside;                   ///< of the points from node_count() on
   std::vector<std::array<int, 4>> quads;           ///< corners of the points from corner_count() on
   std::vector<Vec3<double>> X;                     ///< rest position from `centre` [m]      [point_count]
@@ -74,5 +74,8 @@ struct ContactMesh {
 /// body_of_region: as ContactFacet::body. Throws Error(input) for an edge of solids with other than two
 /// facets, which has no inside, and for nodes that are not on the surface.
 ContactMesh contact_mesh(const Model& model);
+/// The same with the nodes in the order of the engine: near nodes of all bodies near each other, so that a
+/// thread has both sides of an interface, and the entries of a list in the order of its nodes.
+ContactMesh contact_mesh(const Model& model, const Numbering& numbering);
 
 }  // namespace glisson::contact

@@ -17,9 +17,8 @@ struct FacetsNear {
   const R* bias;      ///< [count]
   int count;
 
-  GLISSON_HD Vec3<R> corner(int i, int k) const {
-    return surface.position(surface.triangles[facets[i]].n[k]);
-  }
+  GLISSON_HD const Vec4<R>* row(int i, int k) const { return surface.to + surface.triangles[facets[i]].n[k]; }
+  GLISSON_HD Vec3<R> corner(int i, int k) const { return xyz(*row(i, k)); }
   GLISSON_HD TrianglePoint<R> foot(int i) const {
     return closest_on_triangle(p, corner(i, 0), corner(i, 1), corner(i, 2));
   }
@@ -57,11 +56,13 @@ struct FacetFeet {
   int place[most];  ///< in the list
   int count = 0;
   TrianglePoint<R> foot[most];
+  R distance[most];  ///< [m]
   R normal[most][3];
 
   GLISSON_HD void measure(const FacetsNear<R>& group) {
     if constexpr (most == 1) {
       foot[0] = group.foot(place[0]);
+      distance[0] = square_root(foot[0].distance_squared);
       set_normal(0, group.normal(place[0]));
     }
 #ifndef __CUDACC__
@@ -76,19 +77,18 @@ struct FacetFeet {
 #ifndef __CUDACC__
   void measure_lanes(const FacetsNear<R>& group) {
     using L = Lanes<R>;
-    Vec3<L> x[3];
+    const Vec4<R>* corner[3][most];
     for (int l = 0; l < most; ++l)
-      for (int k = 0; k < 3; ++k) {
-        const Vec3<R> corner = group.corner(place[l < count ? l : 0], k);
-        x[k].x.v[l] = corner.x, x[k].y.v[l] = corner.y, x[k].z.v[l] = corner.z;
-      }
+      for (int k = 0; k < 3; ++k) corner[k][l] = group.row(place[l < count ? l : 0], k);
+    const Vec3<L> x[3] = {turned_rows<R>(corner[0]), turned_rows<R>(corner[1]), turned_rows<R>(corner[2])};
     const Vec3<L> p{L(group.p.x), L(group.p.y), L(group.p.z)}, n = cross(x[1] - x[0], x[2] - x[0]);
     const TrianglePoint<L> feet = closest_on_triangle(p, x[0], x[1], x[2]);
-    const L zero(R(0)), one(R(1)), squared = dot(n, n);
+    const L zero(R(0)), one(R(1)), squared = dot(n, n), away = square_root(feet.distance_squared);
     const L scale = one / square_root(select(squared > zero, squared, one));
     const Vec3<L> unit = select(squared > zero, scale, zero) * n;
     for (int l = 0; l < most; ++l) {
       foot[l] = {{feet.b[0].v[l], feet.b[1].v[l], feet.b[2].v[l]}, feet.distance_squared.v[l]};
+      distance[l] = away.v[l];
       set_normal(l, {unit.x.v[l], unit.y.v[l], unit.z.v[l]});
     }
   }
@@ -128,7 +128,7 @@ struct NearestFacet {
   GLISSON_HD void take(const FacetsNear<R>& group, const FacetFeet<R>& feet, int l, R reach, R slack,
                        R& bound) {
     const int i = feet.place[l];
-    const R d = square_root(feet.foot[l].distance_squared), its = d + group.bias[i];
+    const R d = feet.distance[l], its = d + group.bias[i];
     if (d < reach && d < bound - group.bias[i]) {
       place = i;
       foot = feet.foot[l];

@@ -32,6 +32,11 @@ std::string node_text(const ContactMesh& mesh, const ContactRules& rules, int co
   return "node " + number_of(mesh, corner) + " of " + rules.body_name(mesh.point_region[at(corner)]);
 }
 
+/// Order in which messages name nodes: that of the file.
+bool comes_first(const ContactMesh& mesh, int a, int b) {
+  return mesh.nodes[at(mesh.node_of(a))] < mesh.nodes[at(mesh.node_of(b))];
+}
+
 /// Solid angle of a triangle seen from the origin (van Oosterom & Strackee 1983) [sr].
 double solid_angle(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
   const double x = std::sqrt(dot(a, a)), y = std::sqrt(dot(b, b)), z = std::sqrt(dot(c, c));
@@ -54,6 +59,9 @@ std::map<int, Solid> solids_of(const ContactMesh& mesh) {
   }
   for (int t = 0; t < mesh.triangle_count(); ++t)
     solids[mesh.solid[at(mesh.triangles[at(t)][0])]].triangles.push_back(t);
+  for (auto& [number, its] : solids)
+    std::stable_sort(its.nodes.begin(), its.nodes.end(),
+                     [&](int a, int b) { return comes_first(mesh, a, b); });
   return solids;
 }
 
@@ -230,7 +238,10 @@ std::vector<std::array<int, 3>> nodes_behind(const ContactMesh& mesh, const Cont
 void refuse_deep_crossings(const ContactMesh& mesh, const ContactRules& rules, const Hierarchy& hierarchy,
                            double most) {
   std::vector<int> near, stack;
-  for (const auto& [node, solid, region] : nodes_behind(mesh, rules, hierarchy)) {
+  auto behind = nodes_behind(mesh, rules, hierarchy);
+  std::stable_sort(behind.begin(), behind.end(),
+                   [&](const auto& a, const auto& b) { return comes_first(mesh, a[0], b[0]); });
+  for (const auto& [node, solid, region] : behind) {
     const auto& p = mesh.X[at(node)];
     triangles_near(hierarchy, inflated(Box{p, p}, most), near, stack);
     const bool resolvable = std::any_of(near.begin(), near.end(), [&, solid = solid](int t) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <glisson/contact/deformable/candidates.hpp>
 #include <glisson/contact/deformable/contact_mesh.hpp>
 #include <glisson/contact/deformable/surface_view.hpp>
 #include <glisson/contact/free_axes.hpp>
@@ -33,6 +34,7 @@ class SurfaceState {
         motion_(detail::zeros<Vec4<R>>(backend, mesh.X.size())),
         guess_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
         reference_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
+        wanted_(detail::zeros<unsigned char>(backend, mesh.nodes.size())),
         extents_(detail::zeros<Extent<R>>(backend, std::size_t(chunk_count()))),
         host_extents_(std::size_t(chunk_count())),
         host_(mesh.nodes.size()) {}
@@ -45,15 +47,31 @@ class SurfaceState {
             to_.get(),    motion_.get(),     guess_.get()};
   }
 
-  /// Takes the positions of a step that starts with last step's contact forces.
-  void place(const StepView<R>& step, const Vec4<R>* force) {
-    backend_.for_each(chunk_count(),
-                      PlaceSurface<R>{view(), step.u, step.u_predicted, step.v, force, reference_.get(),
-                                      extents_.get(), step.advance_per_force, afresh_});
+  /// Takes the positions of a step that starts with last step's contact forces; all_points: of all points,
+  /// not only of those that the candidates are made of.
+  void place(const StepView<R>& step, const Vec4<R>* force, bool all_points) {
+    backend_.for_each(chunk_count(), PlaceSurface<R>{view(), step.u, step.u_predicted, step.v, force,
+                                                     reference_.get(), extents_.get(), step.advance_per_force,
+                                                     all_points ? nullptr : wanted_.get(), afresh_});
     backend_.for_each(
         static_cast<int>(mesh_.beside.size()),
         PlaceSidePoints<R>{view(), side_distances_.get(), side_around_begin_.get(), side_around_.get()});
     backend_.for_each(static_cast<int>(mesh_.quads.size()), PlaceCentres<R>{view()});
+  }
+  /// Whether place() may leave points out. Those beside nodes and in facets follow nodes around them, and
+  /// devices have a thread for each.
+  bool may_leave_points() const {
+    return B::space == Space::host && mesh_.beside.empty() && mesh_.quads.empty();
+  }
+  /// listed: nodes that contact pushes, or did last; the corners beside edges are looked at too.
+  void want(const std::vector<int>& listed, const Candidates& found) {
+    if (!may_leave_points()) return;
+    std::vector<unsigned char> wanted(mesh_.nodes.size(), 0);
+    for (const int node : listed) wanted[std::size_t(node)] = 1;
+    for (const auto& pair : found.edge_pairs)
+      for (const int e : pair)
+        for (const int node : mesh_.edges[std::size_t(e)].opposite) wanted[std::size_t(node)] = 1;
+    backend_.copy_in(wanted.data(), wanted_.get(), wanted.size());
   }
   /// Largest squares of drift and motion in the steps since forget_extent(), NaN if any is. Waits for a
   /// device.
@@ -151,6 +169,7 @@ class SurfaceState {
   Buffer<R> side_distances_;
   Buffer<int> side_around_begin_, side_around_;
   Buffer<Vec4<R>> to_, motion_, guess_, reference_;
+  Buffer<unsigned char> wanted_;
   Buffer<Extent<R>> extents_;
   mutable std::vector<Extent<R>> host_extents_;
   bool afresh_ = true;         ///< what extents_ holds is of no use any more

@@ -50,15 +50,14 @@ struct Extent {
   R drift = R(0);   ///< of the distance from where the candidates were found, at both ends of the step
   R motion = R(0);  ///< of the motion in the step
 
+  /// A NaN stays; infinite squares become one. Without a branch, which a core could not guess.
   GLISSON_HD void widen(const Extent& other) {
-    widen(drift, other.drift);
-    widen(motion, other.motion);
+    drift = larger(drift, other.drift);
+    motion = larger(motion, other.motion);
   }
 
  private:
-  GLISSON_HD static void widen(R& largest, R value) {
-    largest = value > largest || value != value ? value : largest;  // a NaN stays
-  }
+  GLISSON_HD static R larger(R a, R b) { return (a > b ? a : b) + R(0) * (a + b); }
 };
 
 template <class R>
@@ -70,19 +69,23 @@ struct PlaceSurface {
   const Vec4<R>* reference;           ///< positions that the candidates were found at [m]
   Extent<R>* extents;                 ///< [ceil(node_count / chunk)]
   R advance_per_force;                ///< [s^2]
+  const unsigned char* wanted;        ///< nodes whose place somebody asks for; null: all  [node_count]
   bool afresh;                        ///< nobody wants the extents of the steps before
 
   using Sum = Extent<R>;
   GLISSON_HD int entry_count() const { return surface.node_count; }
   GLISSON_HD void add(int k, Sum& extent) const {
     const int n = surface.nodes[k];
-    surface.to[k].w = advance_per_force * v[n].w;
-    const Vec3<R> push = surface.moved_by(k, force[k]);
-    const Vec3<R> d = (xyz(u_predicted[n]) - xyz(u[n])) + push;
-    const Vec3<R> p = xyz(surface.X[k]) + xyz(u_predicted[n]) + push;
-    surface.to[k] = {p.x, p.y, p.z, surface.to[k].w};
-    surface.motion[k] = {d.x, d.y, d.z, R(0)};
-    surface.guess[k] = {push.x, push.y, push.z, R(0)};
+    Vec3<R> d = xyz(u_predicted[n]) - xyz(u[n]), p = xyz(surface.X[k]) + xyz(u_predicted[n]);
+    if (!wanted || wanted[k]) {  // contact pushes no others
+      surface.to[k].w = advance_per_force * v[n].w;
+      const Vec3<R> push = surface.moved_by(k, force[k]);
+      d = d + push;
+      p = p + push;
+      surface.to[k] = {p.x, p.y, p.z, surface.to[k].w};
+      surface.motion[k] = {d.x, d.y, d.z, R(0)};
+      surface.guess[k] = {push.x, push.y, push.z, R(0)};
+    }
     const Vec3<R> drift = p - xyz(reference[k]), before = drift - d;
     extent.widen({dot(drift, drift), dot(d, d)});
     extent.widen({dot(before, before), R(0)});

@@ -80,6 +80,18 @@ struct PredictNodes {
   }
 };
 
+/// The same for listed nodes.
+template <class R, class Stepper>
+struct PredictListed {
+  static constexpr int cost = 3;
+  PredictNodes<R, Stepper> predict;
+  const int* nodes;  ///< ascending [count]
+  int node_count = predict.node_count;
+
+  GLISSON_HD int node(int i) const { return nodes[i]; }
+  GLISSON_HD void operator()(int i) const { predict(nodes[i]); }
+};
+
 constexpr int node_energy_chunk = 64;  ///< nodes
 
 /// Energy terms of one chunk of nodes around a step.

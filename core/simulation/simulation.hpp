@@ -80,6 +80,7 @@ class Simulation final : public AnySimulation {
   [[noreturn]] void fail(const Energies* unbalanced, double share);
   // simulation_state.ipp
   void set_initial_velocity();
+  void list_predicted_nodes();
   std::vector<Vec3<double>> forces_for_user(bool with_loads) const;
 
   const Model& model_;
@@ -91,7 +92,9 @@ class Simulation final : public AnySimulation {
   std::optional<DynamicRelaxation<B, R>> relaxation_;
   std::vector<std::unique_ptr<UserForces<B, R>>> users_;
   Buffer<Vec4<R>> u_predicted_;  ///< only with contact
-  Buffer<Vec4<R>> healthy_;      ///< u at the last check that passed, if there was one [m]
+  Buffer<int> predicted_nodes_;  ///< nodes that contact looks at; all if there are none here
+  int predicted_count_ = 0;
+  Buffer<Vec4<R>> healthy_;  ///< u at the last check that passed, if there was one [m]
   StepPlan plan_;
   std::int64_t step_ = 0;
   std::int64_t monitor_every_ = 1;  ///< steps between two energy accounts

@@ -58,6 +58,7 @@ Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
       capped_(has_capped_springs(model)),
       one_sided_(has_one_sided_stiffness(model)) {
   if (!parts_.bodies.empty()) u_predicted_ = nodes_.zeros();
+  list_predicted_nodes();
   if (model.time.quasi_static) {
     // shear waves cross the mesh a few times while the loads grow: one element takes them wave / shear speed
     // steps
@@ -67,6 +68,20 @@ Simulation<B, R>::Simulation(const Model& model, SimulationParts<B, R> parts)
   }
   choose_step();
   set_initial_velocity();
+}
+
+template <Backend B, class R>
+void Simulation<B, R>::list_predicted_nodes() {
+  std::vector<int> nodes;
+  for (const auto& body : parts_.bodies) {
+    const std::vector<int> its = body->nodes_to_predict();
+    if (its.empty()) return;
+    nodes.insert(nodes.end(), its.begin(), its.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  predicted_nodes_ = detail::upload(backend_, nodes);
+  predicted_count_ = static_cast<int>(nodes.size());
 }
 
 template <Backend B, class R>

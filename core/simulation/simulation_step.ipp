@@ -81,8 +81,11 @@ SharedForces<R> Simulation<B, R>::add_forces(StepView<R>& view, bool may_leave) 
 template <Backend B, class R>
 void Simulation<B, R>::predict(const StepView<R>& view) const {
   with_stepper([&]<class S>(const S& stepper) {
-    backend_.for_each(nodes_.count(), PredictNodes<R, S>{view.u, view.v, view.f, u_predicted_.get(), stepper,
-                                                         nodes_.count()});
+    const PredictNodes<R, S> body{view.u, view.v, view.f, u_predicted_.get(), stepper, nodes_.count()};
+    if (predicted_count_ > 0)
+      backend_.for_each(predicted_count_, PredictListed<R, S>{body, predicted_nodes_.get()});
+    else
+      backend_.for_each(nodes_.count(), body);
   });
   parts_.constraints->place(u_predicted_.get(), view.t_next, plan_.dt());
 }

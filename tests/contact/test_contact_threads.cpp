@@ -5,6 +5,7 @@
 
 #include <glisson/core/mesh/surface.hpp>
 
+#include <tests/contact/body_scenes.hpp>
 #include <tests/support/models.hpp>
 #include <tests/support/same_bits.hpp>
 
@@ -41,6 +42,37 @@ TEST(ContactThreads, GiveTheSameBitsForAnyNumber) {
   const auto u = expect_same_bits_for_any_threads(model, threads_float, 40);
   const auto lowest = std::min_element(u.begin(), u.end(), [](auto& a, auto& b) { return a.z < b.z; });
   EXPECT_LT(lowest->z, -1e-4) << "nothing was pressed";
+}
+
+/// Two thin blocks of tetrahedra that are thrown on each other and slide: most of the surface of both is
+/// listed, but not all.
+Model sliding_sheets() {
+  Model model;
+  const Material rubber{"NH", mu_kappa(1e4, 0.3), 1000};
+  add_body(model, box_mesh({30, 30, 2}, {0.3, 0.3, 0.02}, Shape::tetrahedron, 0.1), Formulation::t4, rubber);
+  Mesh upper = box_mesh({23, 23, 2}, {0.2, 0.2, 0.02}, Shape::tetrahedron, 0.1);
+  move(upper, {0.05, 0.04, 0.0201});
+  const Body block = add_body(model, upper, Formulation::t4, rubber);
+  model.initial_velocities.push_back({block.nodes(), {0.1, 0.05, -0.05}});
+  model.contact.between_bodies = true;
+  model.contact.friction = 0.3;
+  model.time.total = 0.03;
+  return model;
+}
+
+TEST(ContactThreads, GiveTheSameBitsBetweenBodiesForAnyNumber) {
+  const Model model = sliding_sheets();
+  validate(model);
+  expect_same_bits_for_any_threads(model, threads_float, 20);
+  auto simulation = simulate(model, threads_float, 1);
+  int most = 0;
+  for (int step = 0; step < 20; ++step) {
+    simulation->step(1);
+    most = std::max(most, simulation->contacts().front().report.node_count);
+  }
+  EXPECT_GT(most, 100);
+  const ContactReport report = simulation->contacts().front().report;
+  EXPECT_GT(report.search.candidates, 3000) << "not enough for the team";
 }
 
 }  // namespace

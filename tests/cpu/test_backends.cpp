@@ -1,5 +1,6 @@
 // What every backend of the CPU promises.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <ctime>
@@ -12,6 +13,7 @@
 #include <glisson/core/base/error.hpp>
 #include <glisson/cpu/bandwidth.hpp>
 #include <glisson/cpu/emulated_device.hpp>
+#include <glisson/cpu/serial.hpp>
 #include <glisson/cpu/threads.hpp>
 
 namespace glisson {
@@ -88,6 +90,76 @@ TEST(Threads, ListsAreCutAtTheNodesOfAThread) {
       next = share.last;
     }
     EXPECT_EQ(next, 9);
+  }
+}
+
+/// Each call costs as much as its number says; the work before a cut is that of the threads before it.
+TEST(Threads, WeighedSharesCoverEverythingOnceAndWeighTheSame) {
+  for (const int n : {0, 1, 10, 1000}) {
+    const auto work_before = [](int i) { return i * (i - 1) / 2; };
+    for (const int count : {1, 2, 3, 7}) {
+      int next = 0;
+      for (int t = 0; t < count; ++t) {
+        const Share share = weighed_share(n, t, count, work_before);
+        EXPECT_EQ(share.first, next);
+        EXPECT_NEAR(work_before(share.last) - work_before(share.first), double(work_before(n)) / count, n);
+        next = share.last;
+      }
+      EXPECT_EQ(next, n);
+    }
+  }
+}
+
+/// x of the left and the right neighbour, as they were before the loop.
+struct AddNeighbours {
+  static constexpr int cost = 4;
+  const unsigned* from;
+  unsigned* to;
+  int count;
+  void operator()(int i) const {
+    to[i] = 3 * from[i] + from[(i + 1) % count] + from[(i + count - 1) % count];
+  }
+};
+struct WeighedNeighbours : AddNeighbours {
+  int work_before(int i) const { return i < 100 ? 0 : i - 100; }
+};
+
+template <class B>
+std::vector<unsigned> neighbours_added(B& backend, int count, bool at_once) {
+  std::vector<unsigned> a(static_cast<std::size_t>(count)), b(a.size());
+  std::iota(a.begin(), a.end(), 1u);
+  const auto script = [&](auto&& loop) {
+    for (int round = 0; round < 100; ++round) {
+      loop(count, AddNeighbours{a.data(), b.data(), count});
+      loop(count, WeighedNeighbours{{b.data(), a.data(), count}});
+    }
+  };
+  if (at_once)
+    run_loops(backend, 4LL * count, script);
+  else
+    script(LoopsOneByOne<B>{backend});
+  return a;
+}
+
+/// Every loop sees all of the one before it, with the team in the loops and without.
+TEST(Threads, LoopsAtOnceDoWhatTheyDoOneByOne) {
+  Serial serial;
+  for (const int count : {3, 700, 5000}) {
+    const auto expected = neighbours_added(serial, count, true);
+    for (const int size : {1, 2, 3, 5}) {
+      Threads threads(size);
+      EXPECT_EQ(neighbours_added(threads, count, true), expected) << size;
+      EXPECT_EQ(neighbours_added(threads, count, false), expected) << size;
+    }
+  }
+}
+
+TEST(Threads, AScriptKnowsHowManyCallsRunAtATime) {
+  for (const int size : {1, 3}) {
+    Threads threads(size);
+    std::atomic<int> wrong{0};
+    run_loops(threads, 1'000'000, [&](auto&& loop) { wrong += loop.team_size != size; });
+    EXPECT_EQ(wrong, 0);
   }
 }
 
