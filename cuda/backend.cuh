@@ -2,21 +2,42 @@
 #pragma once
 
 #include <bit>
-#include <type_traits>
 
-#include <glisson/core/backend.hpp>
-#include <glisson/core/chunk_sums.hpp>
-#include <glisson/cuda/device.hpp>
+#include <cuda_runtime_api.h>
+
+#include <glisson/cuda/device_backend.hpp>
 
 namespace glisson {
 namespace cuda {
 
-constexpr int threads_per_block = 128;
+/// What the parameters of a kernel may have in this build; the driver decides whether it takes as much.
+constexpr std::size_t most_parameter_bytes = CUDART_VERSION >= 12010 ? 32764 : 4096;
+
+/// Members of an ensemble in one launch: as many bodies as fit, but no more than keep a GPU busy, because all
+/// these bytes travel with every launch, however many members it has.
+template <class F>
+constexpr int several_capacity = [] {
+  const std::size_t fit = (most_parameter_bytes - SeveralKernel::room_in_front) / sizeof(F);
+  return static_cast<int>(fit < 32 ? fit : 32);
+}();
+
+/// The bodies of the members in the parameters of a kernel, where every thread of a block reads the same one.
+template <class F>
+struct Several {
+  F body[several_capacity<F>];
+};
 
 template <class F>
 __global__ void __launch_bounds__(threads_per_block) for_each_kernel(int n, F body) {
   const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
   if (i < n) body(i);
+}
+
+template <class F>
+__global__ void __launch_bounds__(threads_per_block)
+    several_for_each_kernel(int n, const __grid_constant__ Several<F> bodies) {
+  const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
+  if (i < n) bodies.body[blockIdx.y](i);
 }
 
 /// The value of the lane `distance` further on among `lanes` that share a chunk.
@@ -33,7 +54,7 @@ __device__ T shuffled_down(const T& value, int distance, int lanes) {
 
 /// Bodies that leave one sum per chunk: see core/chunk_sums.hpp, whose run_chunk_in_lanes is the twin.
 template <class F>
-__global__ void __launch_bounds__(threads_per_block) chunk_kernel(int n, F body) {
+__device__ void sum_in_lanes(int n, const F& body) {
   constexpr int lanes = chunk_lanes<F>;
   const int thread = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
   const int c = thread / lanes, lane = thread % lanes;
@@ -43,63 +64,42 @@ __global__ void __launch_bounds__(threads_per_block) chunk_kernel(int n, F body)
   if (lane == 0 && c < n) body.leave(c, sum);
 }
 
-}  // namespace cuda
+template <class F>
+__global__ void __launch_bounds__(threads_per_block) chunk_kernel(int n, F body) {
+  sum_in_lanes(n, body);
+}
 
-/// One device, one stream: launches run one after the other, so that each sees what those before it wrote.
-/// They are sent in groups (cuda/launch_queue.hpp). A fault inside a kernel is reported by the next copy_out.
-class Cuda {
- public:
-  static constexpr Space space = Space::device;
+template <class F>
+__global__ void __launch_bounds__(threads_per_block)
+    several_chunk_kernel(int n, const __grid_constant__ Several<F> bodies) {
+  sum_in_lanes(n, bodies.body[blockIdx.y]);
+}
 
-  explicit Cuda(int number = 0) : device_(std::make_unique<cuda::Device>(cuda::real_runtime(), number)) {}
+/// A kernel and its twin for several members, whose last parameters are a body and several.
+template <class F, class... Front>
+TypedKernel<Front..., F> with_twin(void (*one)(Front..., F), void (*several)(Front..., Several<F>)) {
+  static const SeveralKernel twin{reinterpret_cast<const void*>(several), sizeof(F), several_capacity<F>};
+  return {{reinterpret_cast<const void*>(one), &twin}};
+}
 
-  const cuda::DeviceFacts& facts() const { return device_->facts(); }
-
-  /// Zeroed.
-  template <class T>
-  Buffer<T> allocate(std::size_t count) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    auto release = [](void* device, T* memory, std::size_t) {
-      static_cast<cuda::Device*>(device)->release(memory);
-    };
-    return Buffer<T>(static_cast<T*>(device_->allocate(count * sizeof(T))), {release, device_.get(), count});
-  }
-  template <class T>
-  void copy_in(const T* from, T* to, std::size_t count) {
-    device_->copy_in(from, to, count * sizeof(T));
-  }
-  template <class T>
-  void copy_out(const T* from, T* to, std::size_t count) {
-    device_->copy_out(from, to, count * sizeof(T));
+struct GpuKernels {
+  template <class F>
+  static TypedKernel<int, F> each() {
+    return with_twin<F, int>(for_each_kernel<F>, several_for_each_kernel<F>);
   }
   template <class F>
-  void for_each(int n, F body) {
-    static_assert(std::is_trivially_copyable_v<F>, "what travels to a device is plain data");
-    if (n <= 0) return;
-    constexpr int threads = cuda::threads_per_block;
-    if constexpr (SumsChunks<F>) {
-      constexpr int chunks = threads / chunk_lanes<F>;
-      launch((n - 1) / chunks + 1, threads, 0, cuda::chunk_kernel<F>, n, body);
-    } else {
-      launch((n - 1) / threads + 1, threads, 0, cuda::for_each_kernel<F>, n, body);
-    }
+  static TypedKernel<int, F> chunks() {
+    return with_twin<F, int>(chunk_kernel<F>, several_chunk_kernel<F>);
   }
-  /// Any kernel, in order with all others.
-  template <class... Parameters>
-  void launch(int blocks, int threads, std::size_t shared_bytes, void (*kernel)(Parameters...),
-              const std::type_identity_t<Parameters>&... arguments) {
-    device_->launch(reinterpret_cast<const void*>(kernel), blocks, threads, shared_bytes, arguments...);
-  }
-  /// Until everything that was launched is done; reports what failed in it.
-  void wait() { device_->wait(); }
-  /// Between two steps of a simulation; see cuda/launch_queue.hpp.
-  void step_done() { device_->step_done(); }
-  /// Launches wait in a queue: wait() comes before anything else is put on the stream.
-  void* stream() { return device_->stream(); }
+};
 
- private:
-  std::unique_ptr<cuda::Device>
-      device_;  // on the heap: buffers point to it and must survive a move of the backend
+}  // namespace cuda
+
+class Cuda : public cuda::DeviceBackend<cuda::GpuKernels> {
+ public:
+  using DeviceBackend::DeviceBackend;
+  explicit Cuda(int number = 0)
+      : DeviceBackend(std::make_unique<cuda::Device>(cuda::real_runtime(), number)) {}
 };
 
 static_assert(Backend<Cuda>);

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/cuda/device_group.hpp>
 
 namespace glisson::cuda {
 namespace {
@@ -82,8 +83,22 @@ Device::Device(const Runtime& runtime, int number) : runtime_(runtime), number_(
   check(runtime_.create_stream(&stream_), "creating a stream");
 }
 
+Device::Device(DeviceGroup& group, GroupMember& member)
+    : runtime_(group.device_.runtime_),
+      number_(group.device_.number_),
+      facts_(group.device_.facts_),
+      stream_(group.device_.stream_),
+      queue_(runtime_),
+      group_(&group),
+      member_(&member) {
+  member.waiting = &queue_.waiting();
+}
+
 Device::~Device() {
-  if (runtime_.select(number_) == status::done) runtime_.destroy_stream(stream_);
+  if (group_) member_->waiting = nullptr;
+  if (runtime_.select(number_) != status::done) return;
+  if (pinned_) runtime_.release_pinned(pinned_);
+  if (!group_) runtime_.destroy_stream(stream_);
 }
 
 void* Device::allocate(std::size_t bytes) {
@@ -101,7 +116,8 @@ void* Device::allocate(std::size_t bytes) {
   return memory;
 }
 
-// What waits may use the memory. A failure here has been, or will be, reported by a call that can throw.
+// What waits may use the memory. A member sends it by itself: its loop must not stand while an exception goes
+// through it. A failure here has been, or will be, reported by a call that can throw.
 void Device::release(void* memory) noexcept {
   if (!memory || runtime_.select(number_) != status::done) return;
   if (const int code = queue_.send(stream_)) late_ = code;
@@ -121,16 +137,65 @@ void Device::copy_out(const void* from, void* to, std::size_t bytes) {
 }
 
 void Device::wait() {
-  send();
-  check(runtime_.wait(stream_), "waiting for it");
+  if (in_loop()) {
+    select();
+    check(late_, "launching a kernel");
+    group_->stand(*member_, true);
+  } else {
+    send();
+    check(runtime_.wait(stream_), "waiting for it");
+  }
+  pinned_used_ = 0;
 }
+
+void Device::step_done() {
+  queue_.waiting().end_step();
+  if (queue_.size() >= (group_ ? DeviceGroup::enough_waiting : enough_waiting)) send();
+}
+
+unsigned* Device::place_to_copy_in(std::size_t bytes) {
+  constexpr std::size_t most = 16 << 10;
+  return bytes <= most ? place_of(bytes) : nullptr;
+}
+
+unsigned* Device::place_to_copy_out(std::size_t bytes) {
+  constexpr std::size_t most = 4 << 20;
+  return bytes <= most ? place_of(bytes) : nullptr;
+}
+
+unsigned* Device::place_of(std::size_t bytes) {
+  if (!group_ || bytes == 0 || bytes % sizeof(unsigned) != 0) return nullptr;
+  if (pinned_used_ + bytes > pinned_bytes_ && pinned_used_ > 0) wait();
+  if (bytes > pinned_bytes_) {
+    constexpr std::size_t grain = 64 << 10;
+    if (pinned_) runtime_.release_pinned(pinned_);
+    pinned_ = nullptr;
+    pinned_bytes_ = (bytes + grain - 1) / grain * grain;
+    select();
+    void* memory = nullptr;
+    if (runtime_.allocate_pinned(&memory, pinned_bytes_) != status::done) {
+      runtime_.launch_status();  // forgets the error: ordinary copies need none
+      pinned_bytes_ = 0;
+      return nullptr;
+    }
+    pinned_ = static_cast<std::byte*>(memory);
+  }
+  std::byte* place = pinned_ + pinned_used_;
+  pinned_used_ += (bytes + 15) / 16 * 16;
+  return reinterpret_cast<unsigned*>(place);
+}
+
+bool Device::in_loop() const { return group_ && member_->loop.inside(); }
 
 void Device::select() { check(runtime_.select(number_), "selecting it"); }
 
 void Device::send() {
   select();
   check(late_, "launching a kernel");
-  check(queue_.send(stream_), "launching a kernel");
+  if (!in_loop())
+    check(queue_.send(stream_), "launching a kernel");
+  else if (queue_.size() > 0)
+    group_->stand(*member_, false);
 }
 
 std::string Device::named() const {

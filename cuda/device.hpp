@@ -1,4 +1,5 @@
 // One GPU: its memory, one stream, and what each failure of the runtime means to a user. Plain C++.
+// A member of a group (cuda/device_group.hpp) has a Device too, which shares the stream of the group.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +17,23 @@ std::vector<DeviceFacts> find_devices(const Runtime& runtime);
 /// "cuda" or "cuda:N" to N. Throws Error(usage) for anything else.
 int device_number(std::string_view name);
 
+struct GroupMember;
+class DeviceGroup;
+
 /// Every call throws Error(device) that says what failed, why, and what to do. A device that was lost stays
 /// lost: all later calls fail the same way. Usable from any thread, one at a time.
 class Device {
  public:
   Device(const Runtime& runtime, int number);
+  /// What a member of a group has for its device. Where it would send its queue or wait, it lets its loop
+  /// stand until the group has done that for all.
+  Device(DeviceGroup& group, GroupMember& member);
   ~Device();
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
   const DeviceFacts& facts() const { return facts_; }
+  std::string named() const;  ///< "cuda:0 (NVIDIA H100)"
   void* stream() const { return stream_; }
 
   /// Zeroed; nullptr for 0 bytes.
@@ -38,20 +46,27 @@ class Device {
   /// Puts a launch into the queue. It is sent with others, at the latest before a copy, a wait or a change of
   /// memory.
   template <class... Arguments>
-  void launch(const void* kernel, int blocks, int threads, std::size_t shared_bytes,
+  void launch(const KernelPair& kernel, int blocks, int threads, std::size_t shared_bytes,
               const Arguments&... arguments) {
-    queue_.add(kernel, blocks, threads, shared_bytes, arguments...);
+    queue_.waiting().add(kernel, blocks, threads, shared_bytes, arguments...);
     if (queue_.size() >= most_waiting) send();
   }
   /// After each step of a simulation, so that what is sent together begins with a step: sends the queue if it
   /// is long enough to keep the device busy while the host fills it again.
-  void step_done() {
-    if (queue_.size() >= enough_waiting) send();
-  }
+  void step_done();
+
+  /// Memory of the host that kernels reach, for a copy by a launch: members that copy at the same time share
+  /// that launch and the wait for it. nullptr where an ordinary copy is better: no member, no whole words,
+  /// or much to copy in. A place is good until the next wait(), which may come here.
+  unsigned* place_to_copy_in(std::size_t bytes);
+  unsigned* place_to_copy_out(std::size_t bytes);
 
  private:
+  friend class DeviceGroup;
   static constexpr std::size_t enough_waiting = 48, most_waiting = 512;
 
+  bool in_loop() const;
+  unsigned* place_of(std::size_t bytes);
   void select();
   /// Makes this device the current one of the thread and sends what waits.
   void send();
@@ -60,7 +75,6 @@ class Device {
   }
   [[noreturn]] void fail(int code, const char* doing) const;
   [[noreturn]] void fail_allocation(std::size_t bytes) const;
-  std::string named() const;
 
   const Runtime& runtime_;
   int number_;
@@ -68,6 +82,10 @@ class Device {
   void* stream_ = nullptr;
   LaunchQueue queue_;
   int late_ = status::done;  ///< of a failure where nothing could be thrown
+  DeviceGroup* group_ = nullptr;
+  GroupMember* member_ = nullptr;  ///< of the group
+  std::byte* pinned_ = nullptr;    ///< for copies by launches
+  std::size_t pinned_bytes_ = 0, pinned_used_ = 0;
 };
 
 }  // namespace glisson::cuda

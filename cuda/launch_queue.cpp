@@ -5,27 +5,6 @@
 
 namespace glisson::cuda {
 
-bool LaunchSequence::same_arguments(std::size_t k, const LaunchSequence& other) const {
-  const auto row_after = [&](std::size_t launch) {
-    return launch + 1 < launches_.size() ? launches_[launch + 1].first_argument : first_row_.size();
-  };
-  const auto row_of = [&](std::size_t argument) {
-    return argument < first_row_.size() ? first_row_[argument] : rows_.size();
-  };
-  const std::size_t first = row_of(launches_[k].first_argument), last = row_of(row_after(k));
-  return std::memcmp(rows_.data() + first, other.rows_.data() + first, (last - first) * sizeof(Row)) == 0;
-}
-
-std::vector<KernelCall> LaunchSequence::calls() {
-  pointers_.clear();
-  for (const std::size_t row : first_row_) pointers_.push_back(rows_.data() + row);
-  std::vector<KernelCall> result;
-  result.reserve(launches_.size());
-  for (const Launch& l : launches_)
-    result.push_back({l.kernel, l.blocks, l.threads, l.shared_bytes, pointers_.data() + l.first_argument});
-  return result;
-}
-
 LaunchQueue::~LaunchQueue() {
   for (const Known& known : known_)
     if (known.graph) runtime_.destroy_graph(known.graph);
@@ -64,7 +43,7 @@ int LaunchQueue::send_one_by_one(void* stream) {
 
 /// Makes the graph, or lets it hold the arguments of what waits.
 int LaunchQueue::prepare(Known& known) {
-  const auto calls = waiting_.calls();
+  const auto& calls = waiting_.calls();
   if (!known.graph) return runtime_.make_graph(&known.graph, calls.data(), static_cast<int>(calls.size()));
   for (std::size_t k = 0; k < calls.size(); ++k) {
     if (waiting_.same_arguments(k, known.sequence)) continue;
@@ -87,7 +66,7 @@ void LaunchQueue::remember() {
     if (oldest->graph) runtime_.destroy_graph(oldest->graph);
     known_.erase(oldest);
   }
-  known_.push_back({waiting_, nullptr, ++sent_});
+  known_.push_back({waiting_.shape(), nullptr, ++sent_});
 }
 
 }  // namespace glisson::cuda

@@ -9,58 +9,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <type_traits>
 #include <vector>
 
-#include <glisson/cuda/runtime.hpp>
+#include <glisson/cuda/launch_sequence.hpp>
 
 namespace glisson::cuda {
-
-/// Launches in order, with copies of their arguments.
-class LaunchSequence {
- public:
-  template <class... Arguments>
-  void add(const void* kernel, int blocks, int threads, std::size_t shared_bytes,
-           const Arguments&... arguments) {
-    static_assert((std::is_trivially_copyable_v<Arguments> && ...), "what travels to a device is plain data");
-    static_assert(((alignof(Arguments) <= sizeof(Row)) && ...));
-    launches_.push_back({kernel, blocks, threads, shared_bytes, first_row_.size(), sizeof...(Arguments)});
-    (put(&arguments, sizeof(Arguments)), ...);
-  }
-  void clear() { launches_.clear(), first_row_.clear(), rows_.clear(); }
-  std::size_t size() const { return launches_.size(); }
-
-  /// The same kernels with the same sizes in the same order; their arguments may differ.
-  bool like(const LaunchSequence& other) const {
-    return launches_ == other.launches_ && first_row_ == other.first_row_;
-  }
-  /// Whether launch k has the same bytes as in a sequence that is like this one.
-  bool same_arguments(std::size_t k, const LaunchSequence& other) const;
-  /// As the runtime wants them; valid until the next change.
-  std::vector<KernelCall> calls();
-
- private:
-  struct alignas(32) Row {
-    std::byte bytes[32];
-  };
-  struct Launch {
-    const void* kernel;
-    int blocks, threads;
-    std::size_t shared_bytes, first_argument, argument_count;
-    bool operator==(const Launch&) const = default;
-  };
-  void put(const void* argument, std::size_t bytes) {
-    first_row_.push_back(rows_.size());
-    rows_.resize(rows_.size() + (bytes + sizeof(Row) - 1) / sizeof(Row));
-    std::memcpy(rows_.data() + first_row_.back(), argument, bytes);
-  }
-
-  std::vector<Launch> launches_;
-  std::vector<std::size_t> first_row_;  ///< of each argument
-  std::vector<Row> rows_;
-  std::vector<void*> pointers_;
-};
 
 class LaunchQueue {
  public:
@@ -74,11 +27,8 @@ class LaunchQueue {
   LaunchQueue(const LaunchQueue&) = delete;
   LaunchQueue& operator=(const LaunchQueue&) = delete;
 
-  template <class... Arguments>
-  void add(const void* kernel, int blocks, int threads, std::size_t shared_bytes,
-           const Arguments&... arguments) {
-    waiting_.add(kernel, blocks, threads, shared_bytes, arguments...);
-  }
+  /// What is to be sent; add to it.
+  LaunchSequence& waiting() { return waiting_; }
   std::size_t size() const { return waiting_.size(); }
   /// Sends everything to the stream of the current device. Returns the status of the first call that failed;
   /// nothing waits afterwards in any case.
@@ -86,7 +36,7 @@ class LaunchQueue {
 
  private:
   struct Known {
-    LaunchSequence sequence;  ///< as its graph, if there is one, holds it
+    LaunchSequence sequence;  ///< as its graph holds it; only the shape while there is none
     void* graph = nullptr;
     std::int64_t last_use = 0;
   };

@@ -24,7 +24,11 @@ cudaStream_t stream_of(void* stream) { return static_cast<cudaStream_t>(stream);
 int describe(int device, DeviceFacts* facts) {
   cudaDeviceProp properties;
   if (const int code = cudaGetDeviceProperties(&properties, device)) return code;
-  *facts = {properties.name, properties.major, properties.minor, properties.totalGlobalMem};
+  int driver = 0;
+  if (const int code = cudaDriverGetVersion(&driver)) return code;
+  const bool large = driver >= 12010 && properties.major >= 7;
+  *facts = {properties.name, properties.major, properties.minor, properties.totalGlobalMem,
+            large ? std::size_t{32764} : std::size_t{4096}};
   return status::done;
 }
 
@@ -46,16 +50,19 @@ int copy(const void* from, void* to, std::size_t bytes, cudaMemcpyKind kind, voi
   return cudaStreamSynchronize(stream_of(stream));
 }
 
+dim3 grid_of(const KernelCall& call) {
+  return {static_cast<unsigned>(call.blocks), static_cast<unsigned>(call.members)};
+}
+
 int launch(const KernelCall& call, void* stream) {
-  return cudaLaunchKernel(call.kernel, dim3(static_cast<unsigned>(call.blocks)),
-                          dim3(static_cast<unsigned>(call.threads)), call.arguments, call.shared_bytes,
-                          stream_of(stream));
+  return cudaLaunchKernel(call.kernel, grid_of(call), dim3(static_cast<unsigned>(call.threads)),
+                          call.arguments, call.shared_bytes, stream_of(stream));
 }
 
 cudaKernelNodeParams node_of(const KernelCall& call) {
   cudaKernelNodeParams node = {};
   node.func = const_cast<void*>(call.kernel);
-  node.gridDim = dim3(static_cast<unsigned>(call.blocks));
+  node.gridDim = grid_of(call);
   node.blockDim = dim3(static_cast<unsigned>(call.threads));
   node.sharedMemBytes = static_cast<unsigned>(call.shared_bytes);
   node.kernelParams = call.arguments;
@@ -112,6 +119,10 @@ const Runtime table{
     [](void* stream) -> int { return cudaStreamDestroy(stream_of(stream)); },
     [](void** memory, std::size_t bytes) -> int { return cudaMalloc(memory, bytes); },
     [](void* memory) -> int { return cudaFree(memory); },
+    [](void** memory, std::size_t bytes) -> int {
+      return cudaHostAlloc(memory, bytes, cudaHostAllocPortable | cudaHostAllocMapped);
+    },
+    [](void* memory) -> int { return cudaFreeHost(memory); },
     [](std::size_t* available, std::size_t* total) -> int { return cudaMemGetInfo(available, total); },
     [](void* memory, std::size_t bytes, void* stream) -> int {
       return cudaMemsetAsync(memory, 0, bytes, stream_of(stream));

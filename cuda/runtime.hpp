@@ -12,6 +12,8 @@ struct DeviceFacts {
   std::string name;          ///< "NVIDIA H100"
   int major = 0, minor = 0;  ///< compute capability
   std::size_t memory = 0;    ///< [bytes]
+  /// That the parameters of one kernel may have: 4096 before CUDA 12.1 and compute capability 7.0.
+  std::size_t parameter_bytes = 4096;
 };
 
 /// Status codes are those of cudaError_t; 0 is success.
@@ -25,6 +27,7 @@ constexpr int done = 0, out_of_memory = 2, old_driver = 35, no_device = 100, inv
 struct KernelCall {
   const void* kernel;
   int blocks, threads;
+  int members;  ///< second extent of the grid
   std::size_t shared_bytes;
   void** arguments;
 };
@@ -38,6 +41,9 @@ struct Runtime {
   int (*destroy_stream)(void* stream);
   int (*allocate)(void** memory, std::size_t bytes);
   int (*release)(void* memory);
+  /// Memory of the host that kernels can read and write at the same address.
+  int (*allocate_pinned)(void** memory, std::size_t bytes);
+  int (*release_pinned)(void* memory);
   int (*memory_info)(std::size_t* available, std::size_t* total);
   int (*clear)(void* memory, std::size_t bytes, void* stream);
   int (*copy_in)(const void* from, void* to, std::size_t bytes, void* stream);

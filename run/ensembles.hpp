@@ -1,4 +1,4 @@
-// The two kinds of ensemble, each in a file of its own.
+// The kinds of ensemble, each in a file of its own.
 #pragma once
 
 #include <functional>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glisson/core/ensemble/any_ensemble.hpp>
+#include <glisson/cuda/device_group.hpp>
 
 namespace glisson::detail {
 
@@ -17,5 +18,13 @@ std::unique_ptr<AnyEnsemble> lane_ensemble(std::vector<Model> members, int threa
 using MakeAlone = std::function<std::unique_ptr<AnySimulation>(const Model&)>;
 /// Every member is a simulation of its own; they share nothing, so that `threads` of them run side by side.
 std::unique_ptr<AnyEnsemble> plain_ensemble(std::vector<Model> members, int threads, MakeAlone make);
+
+/// A GPU, or what tests put in its place.
+struct GroupDevice {
+  std::function<std::unique_ptr<cuda::DeviceGroup>()> open;
+  std::function<std::unique_ptr<AnySimulation>(const Model&, std::unique_ptr<cuda::Device>)> make;
+};
+/// Members in up to `threads` groups; those of a group share launches (cuda/device_group.hpp).
+std::unique_ptr<AnyEnsemble> device_ensemble(std::vector<Model> members, int threads, GroupDevice device);
 
 }  // namespace glisson::detail

@@ -19,9 +19,18 @@ std::vector<Gpu> find_gpus() {
   return gpus;
 }
 
-void require_gpu(const std::string& device) {
-  cuda::Device(cuda::real_runtime(), cuda::device_number(device));
+namespace detail {
+
+std::unique_ptr<cuda::Device> open_gpu(int number) {
+  return std::make_unique<cuda::Device>(cuda::real_runtime(), number);
 }
+std::unique_ptr<cuda::DeviceGroup> open_gpu_group(int number) {
+  return std::make_unique<cuda::DeviceGroup>(cuda::real_runtime(), number);
+}
+
+}  // namespace detail
+
+void require_gpu(const std::string& device) { detail::open_gpu(cuda::device_number(device)); }
 
 double gpu_copy_bandwidth(const std::string& device) {
   return cuda::measure_copy_bandwidth(cuda::device_number(device), std::size_t{256} << 20);
@@ -44,8 +53,12 @@ namespace {
 
 }  // namespace
 
-std::unique_ptr<AnySimulation> simulate_cuda_double(const Model&, int number) { refuse(number); }
-std::unique_ptr<AnySimulation> simulate_cuda_float(const Model&, int number) { refuse(number); }
+std::unique_ptr<cuda::Device> open_gpu(int number) { refuse(number); }
+std::unique_ptr<cuda::DeviceGroup> open_gpu_group(int number) { refuse(number); }
+std::unique_ptr<AnySimulation> simulate_cuda_double(const Model&, std::unique_ptr<cuda::Device>) {
+  refuse(0);
+}
+std::unique_ptr<AnySimulation> simulate_cuda_float(const Model&, std::unique_ptr<cuda::Device>) { refuse(0); }
 
 }  // namespace detail
 

@@ -37,6 +37,17 @@ void require_members(const std::vector<Model>& members) {
                       "it by itself.");
 }
 
+detail::GroupDevice gpu_of(const SimulationOptions& options) {
+  const int number = cuda::device_number(options.device);
+  const bool in_double = options.precision == Precision::double_precision;
+  return {[=] { return detail::open_gpu_group(number); },
+          [=, validated = options.validated](const Model& model, std::unique_ptr<cuda::Device> device) {
+            if (!validated) validate(model);
+            return in_double ? detail::simulate_cuda_double(model, std::move(device))
+                             : detail::simulate_cuda_float(model, std::move(device));
+          }};
+}
+
 }  // namespace
 
 std::unique_ptr<AnyEnsemble> make_ensemble(std::vector<Model> members, const SimulationOptions& options) {
@@ -55,9 +66,9 @@ std::unique_ptr<AnyEnsemble> make_ensemble(std::vector<Model> members, const Sim
     return detail::lane_ensemble(std::move(members), threads, options.instruction_set);
   if (cpu && options.precision == Precision::double_precision)
     return detail::plain_ensemble(std::move(members), threads, detail::simulate_serial_double);
-  const bool cuda = options.device.starts_with("cuda");
-  if (cuda) require_gpu(options.device);  // otherwise every member would fail by itself
-  return detail::plain_ensemble(std::move(members), cuda ? threads : 1,
+  if (options.device.starts_with("cuda"))
+    return detail::device_ensemble(std::move(members), threads, gpu_of(options));
+  return detail::plain_ensemble(std::move(members), 1,
                                 [options](const Model& model) { return make_simulation(model, options); });
 }
 

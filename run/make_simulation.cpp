@@ -19,8 +19,9 @@ int thread_count(int asked) {
 }
 
 std::unique_ptr<AnySimulation> simulate_cuda(const Model& model, const std::string& device, bool in_double) {
-  const int number = cuda::device_number(device);
-  return in_double ? detail::simulate_cuda_double(model, number) : detail::simulate_cuda_float(model, number);
+  auto gpu = detail::open_gpu(cuda::device_number(device));
+  return in_double ? detail::simulate_cuda_double(model, std::move(gpu))
+                   : detail::simulate_cuda_float(model, std::move(gpu));
 }
 
 }  // namespace

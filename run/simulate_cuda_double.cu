@@ -6,10 +6,11 @@
 
 namespace glisson::detail {
 
-std::unique_ptr<AnySimulation> simulate_cuda_double(const Model& model, int number) {
-  auto backend = std::make_unique<Cuda>(number);
-  const std::string device = "CUDA double, cuda:" + std::to_string(number) + " " + backend->facts().name;
-  return assemble<Cuda, double>(model, std::move(backend), device, make_staged_solids<Cuda, double>,
+std::unique_ptr<AnySimulation> simulate_cuda_double(const Model& model,
+                                                    std::unique_ptr<cuda::Device> device) {
+  const std::string name = "CUDA double, " + device->named();
+  auto backend = std::make_unique<Cuda>(std::move(device));
+  return assemble<Cuda, double>(model, std::move(backend), name, make_staged_solids<Cuda, double>,
                                 make_staged_shells<Cuda, double>);
 }
 

@@ -6,10 +6,10 @@
 
 namespace glisson::detail {
 
-std::unique_ptr<AnySimulation> simulate_cuda_float(const Model& model, int number) {
-  auto backend = std::make_unique<Cuda>(number);
-  const std::string device = "CUDA float, cuda:" + std::to_string(number) + " " + backend->facts().name;
-  return assemble<Cuda, float>(model, std::move(backend), device, make_staged_solids<Cuda, float>,
+std::unique_ptr<AnySimulation> simulate_cuda_float(const Model& model, std::unique_ptr<cuda::Device> device) {
+  const std::string name = "CUDA float, " + device->named();
+  auto backend = std::make_unique<Cuda>(std::move(device));
+  return assemble<Cuda, float>(model, std::move(backend), name, make_staged_solids<Cuda, float>,
                                make_staged_shells<Cuda, float>);
 }
 

@@ -1,9 +1,5 @@
 #include <glisson/cpu/ensemble/lane_group.hpp>
 
-#include <exception>
-
-#include <glisson/core/base/error.hpp>
-
 namespace glisson::lanes {
 
 /// The solids as one member sees them.
@@ -32,60 +28,6 @@ class LaneGroup::Solids final : public SolidForces<float> {
   int lane_;
 };
 
-class LaneGroup::Member {
- public:
-  Member(LaneGroup& group, const Model& model, int lane)
-      : group_(group), model_(model), lane_(lane), fiber_([this] { run(); }) {}
-  ~Member() {
-    closing_ = true;
-    while (!fiber_.done()) fiber_.resume();  // leaves nothing on the fiber's stack
-  }
-
-  void set_wish(std::int64_t count) { left_ = count; }
-  /// Runs until the member waits for forces or has done what was wished.
-  void resume() {
-    idle_ = false;
-    fiber_.resume();
-  }
-  bool idle() const { return idle_ || fiber_.done(); }
-  Fiber& fiber() { return fiber_; }
-  AnySimulation* simulation() const { return simulation_.get(); }
-  const std::string& error() const { return error_; }
-  MemberStatus status() const {
-    if (!error_.empty()) return MemberStatus::failed;
-    return simulation_ && simulation_->finished() ? MemberStatus::finished : MemberStatus::running;
-  }
-
- private:
-  void run() {
-    if (closing_) return;
-    try {
-      simulation_ = group_.make_(model_, std::make_unique<Solids>(group_, lane_));
-      while (!closing_ && !simulation_->finished()) {
-        if (left_ > 0) {
-          --left_;
-          simulation_->step();
-        } else {
-          idle_ = true;
-          fiber_.pause();
-        }
-      }
-    } catch (const std::exception& failure) {
-      error_ = failure.what();
-    }
-    idle_ = true;
-  }
-
-  LaneGroup& group_;
-  const Model& model_;
-  int lane_;
-  std::unique_ptr<AnySimulation> simulation_;
-  std::string error_;
-  std::int64_t left_ = 0;
-  bool idle_ = false, closing_ = false;
-  Fiber fiber_;  // last: its body uses the others
-};
-
 double LaneGroup::Solids::ask(Request::Kind kind, const StepView<float>& view) {
   const auto lane = static_cast<std::size_t>(lane_);
   Request& request = group_.requests_[lane];
@@ -103,7 +45,9 @@ LaneGroup::LaneGroup(const LaneTable& table, const std::vector<const Model*>& mo
                      const Numbering& numbering, MakeMember make)
     : solids_(table, models, numbering), make_(std::move(make)), requests_(models.size()) {
   for (std::size_t lane = 0; lane < models.size(); ++lane)
-    members_.push_back(std::make_unique<Member>(*this, *models[lane], static_cast<int>(lane)));
+    members_.push_back(std::make_unique<MemberLoop>([this, lane, model = models[lane]] {
+      return make_(*model, std::make_unique<Solids>(*this, static_cast<int>(lane)));
+    }));
 }
 
 LaneGroup::~LaneGroup() = default;

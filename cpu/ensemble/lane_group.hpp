@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <glisson/core/ensemble/any_ensemble.hpp>
-#include <glisson/cpu/ensemble/fiber.hpp>
 #include <glisson/cpu/ensemble/lane_solids.hpp>
+#include <glisson/cpu/ensemble/member_loop.hpp>
 
 namespace glisson::lanes {
 
@@ -35,7 +34,6 @@ class LaneGroup {
   std::size_t memory_bytes() const;
 
  private:
-  class Member;
   class Solids;
   void answer(Request::Kind kind);
   bool waiting(Request::Kind kind) const;
@@ -43,7 +41,7 @@ class LaneGroup {
   LaneSolids solids_;
   MakeMember make_;
   std::vector<Request> requests_;
-  std::vector<std::unique_ptr<Member>> members_;
+  std::vector<std::unique_ptr<MemberLoop>> members_;
 };
 
 }  // namespace glisson::lanes

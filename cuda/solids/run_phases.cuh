@@ -16,7 +16,7 @@ struct PhaseRunner<Cuda> {
   static void run(Cuda& backend, const Body& body, R*) {
     if (body.patches.patch_count == 0) return;
     const std::size_t bytes = Body::memory_size(body.patches.stride) * sizeof(R);
-    backend.launch(body.patches.patch_count, Body::threads, bytes, detail::patch_kernel<R, Body>, body);
+    backend.launch(body.patches.patch_count, Body::threads, bytes, detail::patch_kernels<R, Body>(), body);
   }
 };
 

@@ -1,6 +1,7 @@
 // A CUDA runtime without a GPU, which fails on demand and whose kernels are functions of the host.
 #pragma once
 
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <string>
@@ -12,40 +13,70 @@ namespace glisson::cuda {
 
 /// A machine with two GPUs of ordinary memory. `code` is what the call named `fails` returns.
 struct Fake {
-  int devices = 2, code = 0, live_blocks = 0, live_streams = 0, current = -1;
-  int live_graphs = 0, launches = 0, graph_launches = 0, replaced = 0;
+  using Count = std::atomic<int>;  // groups run on threads of their own
+  int devices = 2, code = 0;
+  std::size_t parameter_bytes = 32764;
+  bool computes = true;  ///< else launches do nothing
+  Count live_blocks = 0, live_streams = 0, live_pinned = 0, live_graphs = 0, current = -1;
+  Count launches = 0, graph_launches = 0, replaced = 0, waits = 0, members = 0;  ///< members: of all launches
   std::string fails;
+
+  void reset() {
+    devices = 2, code = 0, parameter_bytes = 32764, computes = true;
+    for (Count* count : {&live_blocks, &live_streams, &live_pinned, &live_graphs, &launches, &graph_launches,
+                         &replaced, &waits, &members})
+      *count = 0;
+    current = -1;
+    fails = "";
+  }
 };
 inline Fake fake;
 
 inline int fail_or(const char* call, int code = 0) { return fake.fails == call ? fake.code : code; }
 
-/// A kernel of the fake machine gets its arguments as the runtime gets them. This one adds to a number.
-using FakeKernel = void (*)(void** arguments);
-inline void add_to(void** arguments) {
-  **static_cast<int**>(arguments[1]) += *static_cast<int*>(arguments[0]);
-}
-inline void multiply_by(void** arguments) {
-  int& number = **static_cast<int**>(arguments[1]);
-  number = static_cast<int>(static_cast<unsigned>(number) * *static_cast<unsigned*>(arguments[0]));
-}
-inline const void* const add_kernel = reinterpret_cast<const void*>(add_to);
-inline const void* const multiply_kernel = reinterpret_cast<const void*>(multiply_by);
+/// A kernel of the fake machine: what KernelCall::kernel points to.
+struct FakeKernel {
+  void (*run)(const KernelCall& call);
+  std::vector<std::size_t> argument_bytes;
+};
+inline const FakeKernel add_to{[](const KernelCall& call) {
+                                 **static_cast<int**>(call.arguments[1]) +=
+                                     *static_cast<int*>(call.arguments[0]);
+                               },
+                               {sizeof(int), sizeof(int*)}};
+inline const FakeKernel multiply_by{
+    [](const KernelCall& call) {
+      int& number = **static_cast<int**>(call.arguments[1]);
+      number = static_cast<int>(static_cast<unsigned>(number) * *static_cast<unsigned*>(call.arguments[0]));
+    },
+    {sizeof(int), sizeof(int*)}};
+inline const void* const add_kernel = &add_to;
+inline const void* const multiply_kernel = &multiply_by;
 
-/// A call with copies of its two arguments.
-struct FakeNode {
-  const void* kernel = nullptr;
-  int number = 0;
-  int* target = nullptr;
-
-  explicit FakeNode(const KernelCall& call)
-      : kernel(call.kernel),
-        number(*static_cast<int*>(call.arguments[0])),
-        target(*static_cast<int**>(call.arguments[1])) {}
-  void run() {
-    void* arguments[2] = {&number, &target};
-    reinterpret_cast<FakeKernel>(const_cast<void*>(kernel))(arguments);
+/// A call with copies of its arguments, as a graph keeps it.
+class FakeNode {
+ public:
+  explicit FakeNode(const KernelCall& call) : call_(call) {
+    const auto& bytes = static_cast<const FakeKernel*>(call.kernel)->argument_bytes;
+    for (std::size_t a = 0; a < bytes.size(); ++a) {
+      arguments_.emplace_back(bytes[a] / sizeof(Unit) + 1);
+      std::memcpy(arguments_.back().data(), call.arguments[a], bytes[a]);
+    }
   }
+  void run() {
+    std::vector<void*> pointers;
+    for (auto& argument : arguments_) pointers.push_back(argument.data());
+    call_.arguments = pointers.data();
+    fake.members += call_.members;
+    if (fake.computes) static_cast<const FakeKernel*>(call_.kernel)->run(call_);
+  }
+
+ private:
+  struct alignas(32) Unit {
+    std::byte bytes[32];
+  };
+  KernelCall call_;
+  std::vector<std::vector<Unit>> arguments_;
 };
 using FakeGraph = std::vector<FakeNode>;
 
@@ -55,7 +86,7 @@ inline const Runtime fake_runtime{
       return fail_or("device_count");
     },
     [](int, DeviceFacts* facts) {
-      *facts = {"Fake 1", 8, 6, std::size_t{8} << 30};
+      *facts = {"Fake 1", 8, 6, std::size_t{8} << 30, fake.parameter_bytes};
       return fail_or("describe");
     },
     [](int device) {
@@ -84,6 +115,17 @@ inline const Runtime fake_runtime{
       --fake.live_blocks;
       return 0;
     },
+    [](void** memory, std::size_t bytes) {
+      if (const int code = fail_or("allocate_pinned")) return code;
+      *memory = std::calloc(1, bytes);
+      ++fake.live_pinned;
+      return 0;
+    },
+    [](void* memory) {
+      std::free(memory);
+      --fake.live_pinned;
+      return 0;
+    },
     [](std::size_t* available, std::size_t* total) {
       *available = std::size_t{100} << 20, *total = std::size_t{8} << 30;
       return fail_or("memory_info");
@@ -100,7 +142,10 @@ inline const Runtime fake_runtime{
       std::memcpy(to, from, bytes);
       return fail_or("copy_out");
     },
-    [](void*) { return fail_or("wait"); },
+    [](void*) {
+      ++fake.waits;
+      return fail_or("wait");
+    },
     [](const KernelCall& call, void*) {
       ++fake.launches;
       if (const int code = fail_or("launch")) return code;

@@ -12,7 +12,7 @@ namespace {
 
 class CudaDevice : public testing::Test {
  protected:
-  void SetUp() override { fake = {}; }
+  void SetUp() override { fake.reset(); }
   static void let_fail(const char* call, int code) { fake.fails = call, fake.code = code; }
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 class CudaLaunchQueue : public testing::Test {
  protected:
-  void SetUp() override { fake = {}; }
+  void SetUp() override { fake.reset(); }
   void TearDown() override {
     EXPECT_EQ(fake.live_graphs, 0);
     EXPECT_EQ(fake.live_streams, 0);

@@ -1,0 +1,105 @@
+// What every backend around a cuda::Device shares. Plain C++: the kernels come from a class that knows them,
+// so that tests can put functions of the host in their place.
+#pragma once
+
+#include <cstring>
+#include <memory>
+#include <type_traits>
+
+#include <glisson/core/backend.hpp>
+#include <glisson/core/chunk_sums.hpp>
+#include <glisson/cuda/device.hpp>
+
+namespace glisson::cuda {
+
+constexpr int threads_per_block = 128;
+
+/// A kernel with these parameters.
+template <class... Parameters>
+struct TypedKernel {
+  KernelPair pair;
+};
+
+/// A copy between the device and memory of the host that kernels reach.
+struct CopyWords {
+  const unsigned* from;
+  unsigned* to;
+  GLISSON_HD void operator()(int i) const { to[i] = from[i]; }
+};
+
+/// One device, one stream: launches run one after the other, so that each sees what those before it wrote.
+/// They are sent in groups (cuda/launch_queue.hpp). A fault inside a kernel is reported by the next copy_out.
+/// Kernels::each<F>() and chunks<F>() are TypedKernel<int, F>, for bodies and for those that leave sums.
+template <class Kernels>
+class DeviceBackend {
+ public:
+  static constexpr Space space = Space::device;
+
+  explicit DeviceBackend(std::unique_ptr<Device> device) : device_(std::move(device)) {}
+
+  const DeviceFacts& facts() const { return device_->facts(); }
+
+  /// Zeroed.
+  template <class T>
+  Buffer<T> allocate(std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    auto release = [](void* device, T* memory, std::size_t) {
+      static_cast<Device*>(device)->release(memory);
+    };
+    return Buffer<T>(static_cast<T*>(device_->allocate(count * sizeof(T))), {release, device_.get(), count});
+  }
+  template <class T>
+  void copy_in(const T* from, T* to, std::size_t count) {
+    const std::size_t bytes = count * sizeof(T);
+    if (unsigned* place = device_->place_to_copy_in(bytes)) {
+      std::memcpy(place, from, bytes);
+      copy_words(place, reinterpret_cast<unsigned*>(to), bytes);
+    } else {
+      device_->copy_in(from, to, bytes);
+    }
+  }
+  template <class T>
+  void copy_out(const T* from, T* to, std::size_t count) {
+    const std::size_t bytes = count * sizeof(T);
+    if (unsigned* place = device_->place_to_copy_out(bytes)) {
+      copy_words(reinterpret_cast<const unsigned*>(from), place, bytes);
+      wait();
+      std::memcpy(static_cast<void*>(to), place, bytes);
+    } else {
+      device_->copy_out(from, to, bytes);
+    }
+  }
+  template <class F>
+  void for_each(int n, F body) {
+    static_assert(std::is_trivially_copyable_v<F>, "what travels to a device is plain data");
+    if (n <= 0) return;
+    constexpr int threads = threads_per_block;
+    if constexpr (SumsChunks<F>) {
+      constexpr int chunks = threads / chunk_lanes<F>;
+      launch((n - 1) / chunks + 1, threads, 0, Kernels::template chunks<F>(), n, body);
+    } else {
+      launch((n - 1) / threads + 1, threads, 0, Kernels::template each<F>(), n, body);
+    }
+  }
+  /// Any kernel, in order with all others.
+  template <class... Parameters>
+  void launch(int blocks, int threads, std::size_t shared_bytes, const TypedKernel<Parameters...>& kernel,
+              const std::type_identity_t<Parameters>&... arguments) {
+    device_->launch(kernel.pair, blocks, threads, shared_bytes, arguments...);
+  }
+  /// Until everything that was launched is done; reports what failed in it.
+  void wait() { device_->wait(); }
+  /// Between two steps of a simulation; see cuda/launch_queue.hpp.
+  void step_done() { device_->step_done(); }
+  /// Launches wait in a queue: wait() comes before anything else is put on the stream.
+  void* stream() { return device_->stream(); }
+
+ private:
+  void copy_words(const unsigned* from, unsigned* to, std::size_t bytes) {
+    for_each(static_cast<int>(bytes / sizeof(unsigned)), CopyWords{from, to});
+  }
+
+  std::unique_ptr<Device> device_;  // on the heap: buffers point to it and must survive a move of the backend
+};
+
+}  // namespace glisson::cuda
