@@ -78,14 +78,27 @@ struct LoopsOneByOne {
 /// Loops one after the other: script(loop) calls loop(n, body) for each, which stands for for_each(n, body).
 /// A backend with a team runs the script on each of its threads, which then start once and wait for each
 /// other between the loops only; so the script must come to the same loops on each, and change nothing
-/// itself. loop.team_size: calls that all run at a time, for bodies that divide something by themselves cost:
-/// of the longest loop, as cost_of_body
+/// itself. loop.team_size: calls that all run at a time, for bodies that divide something by themselves.
+/// cost: of the longest loop, as cost_of_body.
 template <Backend B, class Script>
 void run_loops(B& backend, long long cost, const Script& script) {
   if constexpr (requires { backend.run_loops(cost, script); })
     backend.run_loops(cost, script);
   else
     script(LoopsOneByOne<B>{backend});
+}
+
+/// A host array in the backend's memory, where it is only read from now on: a backend may give one place to
+/// several simulations.
+template <Backend B, class T>
+Buffer<T> upload_constant(B& backend, const T* from, std::size_t count) {
+  if constexpr (requires { backend.upload_constant(from, count); }) {
+    return backend.upload_constant(from, count);
+  } else {
+    auto buffer = backend.template allocate<T>(count);
+    backend.copy_in(from, buffer.get(), count);
+    return buffer;
+  }
 }
 
 }  // namespace glisson

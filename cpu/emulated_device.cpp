@@ -47,8 +47,14 @@ void GuardedHeap::release(void* memory) {
   blocks_.erase(block);
 }
 
+void GuardedHeap::make_constant(void* memory) {
+  for (Block& block : blocks_)
+    if (block.memory == memory) block.constant = true;
+}
+
 void GuardedHeap::protect(int access) {
-  for (const Block& block : blocks_) mprotect(block.pages, block.bytes, access);
+  for (const Block& block : blocks_)
+    mprotect(block.pages, block.bytes, block.constant ? access & ~PROT_WRITE : access);
 }
 void GuardedHeap::open() {
   if (open_++ == 0) protect(PROT_READ | PROT_WRITE);
@@ -59,11 +65,13 @@ void GuardedHeap::close() {
 
 void GuardedHeap::get_contents(std::vector<unsigned char>& contents) const {
   contents.clear();
-  for (const Block& block : blocks_) contents.insert(contents.end(), block.pages, block.pages + block.bytes);
+  for (const Block& block : blocks_)
+    if (!block.constant) contents.insert(contents.end(), block.pages, block.pages + block.bytes);
 }
 void GuardedHeap::set_contents(const std::vector<unsigned char>& contents) {
   const unsigned char* from = contents.data();
-  for (const Block& block : blocks_) from += (std::memcpy(block.pages, from, block.bytes), block.bytes);
+  for (const Block& block : blocks_)
+    if (!block.constant) from += (std::memcpy(block.pages, from, block.bytes), block.bytes);
 }
 
 }  // namespace detail

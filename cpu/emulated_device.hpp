@@ -29,9 +29,11 @@ class GuardedHeap {
 
   void* allocate(std::size_t count, std::size_t size);
   void release(void* memory);
+  /// Nobody may write there any more.
+  void make_constant(void* memory);
   void open();
   void close();
-  /// What all blocks hold, one after the other, while the heap is open.
+  /// What all blocks hold that may be written, one after the other, while the heap is open.
   void get_contents(std::vector<unsigned char>& contents) const;
   void set_contents(const std::vector<unsigned char>& contents);
 
@@ -40,6 +42,7 @@ class GuardedHeap {
     char* pages;        ///< start of the mapping
     std::size_t bytes;  ///< that open and close [bytes]; a guard page follows
     void* memory;       ///< given out; ends where the guard page starts, up to alignment
+    bool constant = false;
   };
   void protect(int access);
 
@@ -62,9 +65,10 @@ class HeapAccess {
 
 }  // namespace detail
 
-/// Host code that reads device memory stops with SIGSEGV, memory that nobody wrote reads as NaN, and bodies
-/// run in a random order, so that sums that depend on the order differ between seeds. A barrier that is
-/// missing inside a kernel is a conflict of two indices where each phase is a loop, see look_for_conflicts().
+/// Host code that reads device memory stops with SIGSEGV, as do bodies that write constants, memory that
+/// nobody wrote reads as NaN, and bodies run in a random order, so that sums that depend on the order differ
+/// between seeds. A barrier that is missing inside a kernel is a conflict of two indices where each phase is a
+/// loop, see look_for_conflicts().
 class EmulatedDevice {
  public:
   static constexpr Space space = Space::device;
@@ -89,6 +93,13 @@ class EmulatedDevice {
   template <class T>
   void copy_out(const T* from, T* to, std::size_t count) {
     copy_in(from, to, count);
+  }
+  template <class T>
+  Buffer<T> upload_constant(const T* from, std::size_t count) {
+    auto buffer = allocate<T>(count);
+    copy_in(from, buffer.get(), count);
+    heap_->make_constant(buffer.get());
+    return buffer;
   }
   template <class F>
   void for_each(int n, F body) {

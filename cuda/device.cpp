@@ -121,7 +121,17 @@ void* Device::allocate(std::size_t bytes) {
 void Device::release(void* memory) noexcept {
   if (!memory || runtime_.select(number_) != status::done) return;
   if (const int code = queue_.send(stream_)) late_ = code;
-  runtime_.release(memory);
+  if (!group_ || !group_->constants_->release(runtime_, memory)) runtime_.release(memory);
+}
+
+void* Device::share(const void* from, std::size_t bytes) {
+  if (!group_ || bytes == 0) return nullptr;
+  select();
+  void* memory = nullptr;
+  const int code = group_->constants_->get(runtime_, stream_, from, bytes, &memory);
+  if (code == status::out_of_memory) fail_allocation(bytes);
+  check(code, "copying to it");
+  return memory;
 }
 
 void Device::copy_in(const void* from, void* to, std::size_t bytes) {

@@ -39,6 +39,9 @@ class Device {
   /// Zeroed; nullptr for 0 bytes.
   void* allocate(std::size_t bytes);
   void release(void* memory) noexcept;
+  /// Memory with these bytes for reading only, which other members may have too; nullptr where there are
+  /// none.
+  void* share(const void* from, std::size_t bytes);
   void copy_in(const void* from, void* to, std::size_t bytes);
   void copy_out(const void* from, void* to, std::size_t bytes);
   /// Until everything that was launched is done.

@@ -42,11 +42,15 @@ class DeviceBackend {
   /// Zeroed.
   template <class T>
   Buffer<T> allocate(std::size_t count) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    auto release = [](void* device, T* memory, std::size_t) {
-      static_cast<Device*>(device)->release(memory);
-    };
-    return Buffer<T>(static_cast<T*>(device_->allocate(count * sizeof(T))), {release, device_.get(), count});
+    return buffer_of<T>(device_->allocate(count * sizeof(T)), count);
+  }
+  /// Members of a group share what has the same bytes.
+  template <class T>
+  Buffer<T> upload_constant(const T* from, std::size_t count) {
+    if (void* shared = device_->share(from, count * sizeof(T))) return buffer_of<T>(shared, count);
+    auto buffer = allocate<T>(count);
+    copy_in(from, buffer.get(), count);
+    return buffer;
   }
   template <class T>
   void copy_in(const T* from, T* to, std::size_t count) {
@@ -95,6 +99,12 @@ class DeviceBackend {
   void* stream() { return device_->stream(); }
 
  private:
+  template <class T>
+  Buffer<T> buffer_of(void* memory, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    auto release = [](void* device, T* data, std::size_t) { static_cast<Device*>(device)->release(data); };
+    return Buffer<T>(static_cast<T*>(memory), {release, device_.get(), count});
+  }
   void copy_words(const unsigned* from, unsigned* to, std::size_t bytes) {
     for_each(static_cast<int>(bytes / sizeof(unsigned)), CopyWords{from, to});
   }

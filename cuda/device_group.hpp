@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <glisson/cuda/constant_arrays.hpp>
 #include <glisson/cuda/device.hpp>
 
 namespace glisson::cuda {
@@ -34,7 +35,10 @@ struct GroupMember {
 /// One caller at a time. It must outlive the devices of its members.
 class DeviceGroup {
  public:
-  DeviceGroup(const Runtime& runtime, int number) : device_(runtime, number) {}
+  /// Groups on one device may share their constant arrays.
+  DeviceGroup(const Runtime& runtime, int number,
+              std::shared_ptr<ConstantArrays> constants = std::make_shared<ConstantArrays>())
+      : device_(runtime, number), constants_(std::move(constants)) {}
 
   /// The loop must outlive the group's last run().
   GroupMember& add(GroupLoop& loop);
@@ -58,6 +62,7 @@ class DeviceGroup {
   void for_members(GroupMember::State state, Act&& act);
 
   Device device_;
+  std::shared_ptr<ConstantArrays> constants_;
   std::vector<std::unique_ptr<GroupMember>> members_;
   std::vector<const LaunchSequence*> standing_;
 };

@@ -24,8 +24,9 @@ namespace detail {
 std::unique_ptr<cuda::Device> open_gpu(int number) {
   return std::make_unique<cuda::Device>(cuda::real_runtime(), number);
 }
-std::unique_ptr<cuda::DeviceGroup> open_gpu_group(int number) {
-  return std::make_unique<cuda::DeviceGroup>(cuda::real_runtime(), number);
+std::unique_ptr<cuda::DeviceGroup> open_gpu_group(int number,
+                                                  std::shared_ptr<cuda::ConstantArrays> constants) {
+  return std::make_unique<cuda::DeviceGroup>(cuda::real_runtime(), number, std::move(constants));
 }
 
 }  // namespace detail
@@ -54,7 +55,9 @@ namespace {
 }  // namespace
 
 std::unique_ptr<cuda::Device> open_gpu(int number) { refuse(number); }
-std::unique_ptr<cuda::DeviceGroup> open_gpu_group(int number) { refuse(number); }
+std::unique_ptr<cuda::DeviceGroup> open_gpu_group(int number, std::shared_ptr<cuda::ConstantArrays>) {
+  refuse(number);
+}
 std::unique_ptr<AnySimulation> simulate_cuda_double(const Model&, std::unique_ptr<cuda::Device>) {
   refuse(0);
 }

@@ -40,7 +40,8 @@ void require_members(const std::vector<Model>& members) {
 detail::GroupDevice gpu_of(const SimulationOptions& options) {
   const int number = cuda::device_number(options.device);
   const bool in_double = options.precision == Precision::double_precision;
-  return {[=] { return detail::open_gpu_group(number); },
+  const auto constants = std::make_shared<cuda::ConstantArrays>();
+  return {[=] { return detail::open_gpu_group(number, constants); },
           [=, validated = options.validated](const Model& model, std::unique_ptr<cuda::Device> device) {
             if (!validated) validate(model);
             return in_double ? detail::simulate_cuda_double(model, std::move(device))

@@ -16,7 +16,8 @@ std::unique_ptr<AnySimulation> simulate_threads_float(const Model& model, int th
                                                       const std::string& instruction_set);
 /// "cuda:N" of this machine; in builds without CUDA they throw Error(device).
 std::unique_ptr<cuda::Device> open_gpu(int number);
-std::unique_ptr<cuda::DeviceGroup> open_gpu_group(int number);
+std::unique_ptr<cuda::DeviceGroup> open_gpu_group(int number,
+                                                  std::shared_ptr<cuda::ConstantArrays> constants);
 std::unique_ptr<AnySimulation> simulate_cuda_double(const Model& model, std::unique_ptr<cuda::Device> device);
 std::unique_ptr<AnySimulation> simulate_cuda_float(const Model& model, std::unique_ptr<cuda::Device> device);
 /// conflicts: look for them, see EmulatedDevice

@@ -13,16 +13,18 @@ Buffer<T> reserve(B& backend, std::size_t count) {
   return backend.template allocate<T>(count > 0 ? count : 1);
 }
 
+/// For reading only.
 template <class T, class B>
 Buffer<T> upload(B& backend, const std::vector<T>& host) {
-  auto buffer = reserve<T>(backend, host.size());
-  if (!host.empty()) backend.copy_in(host.data(), buffer.get(), host.size());
-  return buffer;
+  return host.empty() ? reserve<T>(backend, 0) : upload_constant(backend, host.data(), host.size());
 }
 
 template <class T, class B>
 Buffer<T> zeros(B& backend, std::size_t count) {
-  return upload(backend, std::vector<T>(count));
+  const std::vector<T> host(count);
+  auto buffer = reserve<T>(backend, count);
+  if (count > 0) backend.copy_in(host.data(), buffer.get(), count);
+  return buffer;
 }
 
 template <class R>

@@ -16,11 +16,10 @@ class BlockMaterial {
   /// Takes over the small parts of a block; its arrays are released.
   BlockMaterial(B& backend, HostBlock<R> host)
       : backend_(&backend),
-        parameters_(backend.template allocate<R>(host.parameters.size())),
+        parameters_(upload_constant(backend, host.parameters.data(), host.parameters.size())),
         history_(backend.template allocate<R>(host.history_size())),
         terms_(backend.template allocate<PronyCoefficients<R>>(host.prony.size())),
         bytes_((host.parameters.size() + host.history_size()) * sizeof(R)) {
-    backend.copy_in(host.parameters.data(), parameters_.get(), host.parameters.size());
     if (host.viscous()) {
       const std::vector<R> zero(host.history_size(), R(0));
       backend.copy_in(zero.data(), history_.get(), zero.size());

@@ -18,8 +18,7 @@ class PatchArrays {
   PatchArrays(B& backend, const HostPatches& patches, PatchView<R>& view) {
     const auto put = [&](auto& buffer, const auto& from, auto& pointer) {
       using T = typename std::remove_cvref_t<decltype(from)>::value_type;
-      buffer = backend.template allocate<T>(from.size());
-      backend.copy_in(from.data(), buffer.get(), from.size());
+      buffer = upload_constant(backend, from.data(), from.size());
       pointer = buffer.get();
       bytes_ += from.size() * sizeof(T);
     };

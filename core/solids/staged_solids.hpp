@@ -61,10 +61,8 @@ class StagedSolids final : public SolidForces<R> {
 
   template <class T>
   Buffer<T> upload(const std::vector<T>& from) {
-    auto buffer = backend_.template allocate<T>(from.size());
-    backend_.copy_in(from.data(), buffer.get(), from.size());
     bytes_ += from.size() * sizeof(T);
-    return buffer;
+    return upload_constant(backend_, from.data(), from.size());
   }
   void add_block(HostBlock<R> host, const HostPatches& patches, const Model& model,
                  const Numbering& numbering, int first_element);
@@ -109,8 +107,10 @@ StagedSolids<B, R>::StagedSolids(B& backend, const Model& model, const Numbering
   if (!inverse_volume.empty()) {
     inverse_volume_ = upload(inverse_volume);
     // patches of other formulations leave their slots at zero
-    slot_pressure_ = upload(std::vector<R>(static_cast<std::size_t>(cut.shared.slot_count())));
-    nodal_pressure_ = upload(std::vector<R>(inverse_volume.size()));
+    const auto slots = static_cast<std::size_t>(cut.shared.slot_count());
+    slot_pressure_ = detail::zeros<R>(backend_, slots);
+    nodal_pressure_ = detail::zeros<R>(backend_, inverse_volume.size());
+    bytes_ += (slots + inverse_volume.size()) * sizeof(R);
   }
   for (const auto& host : hosts) element_count_ += host.element_count;
   energy_ = backend_.template allocate<double>(static_cast<std::size_t>(element_count_));

@@ -336,5 +336,18 @@ TEST(EmulatedDeviceDeathTest, StopsHostReadsAndReadsPastTheEnd) {
   EXPECT_DEATH(device.for_each(1, Twice{buffer.get() + 16, sum.get()}), "");
 }
 
+TEST(EmulatedDeviceDeathTest, StopsBodiesThatWriteConstants) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EmulatedDevice device;
+  const int from[2] = {1, 2};
+  const auto constant = upload_constant(device, from, 2);
+  const auto to = device.allocate<int>(2);
+  device.for_each(2, Twice{constant.get(), to.get()});
+  int got[2] = {};
+  device.copy_out(to.get(), got, 2);
+  EXPECT_EQ(got[1], 4);
+  EXPECT_DEATH(device.for_each(2, Twice{to.get(), constant.get()}), "");
+}
+
 }  // namespace
 }  // namespace glisson

@@ -35,7 +35,9 @@ class FiberLoop final : public GroupLoop {
 
 /// One group with a loop per member.
 struct FakeGroup {
-  DeviceGroup group{fake_runtime, 0};
+  explicit FakeGroup(std::shared_ptr<ConstantArrays> constants = std::make_shared<ConstantArrays>())
+      : group(fake_runtime, 0, std::move(constants)) {}
+  DeviceGroup group;
   std::vector<std::unique_ptr<FiberLoop>> loops;
 
   void add(std::function<void(FakeGpu&)> body) {

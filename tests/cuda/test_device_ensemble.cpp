@@ -24,9 +24,12 @@ std::unique_ptr<AnySimulation> alone(const Model& model) {
   return simulate_fake(model, std::make_unique<Device>(fake_runtime, 0));
 }
 
-std::unique_ptr<AnyEnsemble> together(const std::vector<Model>& models, int threads) {
+std::unique_ptr<AnyEnsemble> together(
+    const std::vector<Model>& models, int threads,
+    std::shared_ptr<ConstantArrays> constants = std::make_shared<ConstantArrays>()) {
   return detail::device_ensemble(
-      models, threads, {[] { return std::make_unique<DeviceGroup>(fake_runtime, 0); }, simulate_fake});
+      models, threads,
+      {[=] { return std::make_unique<DeviceGroup>(fake_runtime, 0, constants); }, simulate_fake});
 }
 
 /// A block held at the bottom, of a stiffness of its own, so that its time step and the steps of its energy
@@ -117,6 +120,19 @@ TEST_F(CudaDeviceEnsemble, MembersAlikeShareTheirLaunches) {
   const auto [of_all, by_all] = launches([&] { ensemble->step(50); });
   EXPECT_LT(of_all, 1.2 * of_one) << "three in one launch; in groups copies are launches too";
   EXPECT_GE(by_all, 3 * by_one);
+}
+
+TEST_F(CudaDeviceEnsemble, MembersShareWhatTheyOnlyRead) {
+  const auto bytes = [](int count) {
+    std::vector<Model> models(static_cast<std::size_t>(count), member(0));
+    for (int k = 0; k < count; ++k)
+      models[static_cast<std::size_t>(k)].sections[0].material.parameters[0] += k;
+    const auto constants = std::make_shared<ConstantArrays>();
+    const auto ensemble = together(models, 2, constants);
+    return constants->bytes();
+  };
+  EXPECT_GT(bytes(1), 60u * 3 * 3 * 4 * 6) << "of each tetrahedron, without its energy and its nodes";
+  EXPECT_LE(bytes(65), bytes(1) + 64 * 16) << "parameters are their own";
 }
 
 TEST_F(CudaDeviceEnsemble, ALostDeviceFailsAllMembers) {

@@ -158,6 +158,28 @@ TEST_F(CudaDeviceGroup, ALostDeviceFailsAllMembersEachWithTheMessage) {
   }
 }
 
+TEST_F(CudaDeviceGroup, ConstantsWithTheSameBytesAreOncePerDevice) {
+  auto constants = std::make_shared<ConstantArrays>();
+  std::vector<const int*> places;
+  for (int g = 0; g < 2; ++g) {  // two groups of a device
+    FakeGroup members(constants);
+    for (int m = 0; m < 5; ++m)
+      members.add([m, &places](FakeGpu& gpu) {
+        std::vector<int> same(100, 7), own(100, m);
+        const auto a = gpu.upload_constant(same.data(), 100), b = gpu.upload_constant(same.data(), 99),
+                   c = gpu.upload_constant(own.data(), 100);
+        places.push_back(a.get());
+        EXPECT_NE(a.get(), b.get());
+        EXPECT_EQ(c[99], m);
+        EXPECT_EQ(b[98], 7);
+        gpu.wait();
+      });
+    members.group.run();
+    EXPECT_EQ(constants->bytes(), 0u) << "the last user frees";
+  }
+  for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(places[i], places[i / 5 * 5]);
+}
+
 /// After the run, what reads a member's memory does not stand, because nobody else runs.
 TEST_F(CudaDeviceGroup, ADeviceWorksOutsideItsLoop) {
   FakeGroup members;
