@@ -55,7 +55,7 @@ class DeviceBackend {
   template <class T>
   void copy_in(const T* from, T* to, std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    if (unsigned* place = device_->place_to_copy_in(bytes)) {
+    if (unsigned* place = in_words<T> ? device_->place_to_copy_in(bytes) : nullptr) {
       std::memcpy(place, from, bytes);
       copy_words(place, reinterpret_cast<unsigned*>(to), bytes);
     } else {
@@ -65,7 +65,7 @@ class DeviceBackend {
   template <class T>
   void copy_out(const T* from, T* to, std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    if (unsigned* place = device_->place_to_copy_out(bytes)) {
+    if (unsigned* place = in_words<T> ? device_->place_to_copy_out(bytes) : nullptr) {
       copy_words(reinterpret_cast<const unsigned*>(from), place, bytes);
       wait();
       std::memcpy(static_cast<void*>(to), place, bytes);
@@ -99,6 +99,9 @@ class DeviceBackend {
   void* stream() { return device_->stream(); }
 
  private:
+  template <class T>
+  static constexpr bool in_words = alignof(T) >= alignof(unsigned);
+
   template <class T>
   Buffer<T> buffer_of(void* memory, std::size_t count) {
     static_assert(std::is_trivially_copyable_v<T>);
