@@ -105,7 +105,7 @@ TEST_F(CudaLaunchQueue, RandomSequencesInAnyOrderGiveTheSame) {
 
 TEST_F(CudaLaunchQueue, WorksWithoutGraphsWhereTheRuntimeCannotMakeOrChangeThem) {
   for (const auto& [call, launches] : {std::pair{"make_graph", 500}, std::pair{"replace_in_graph", 450}}) {
-    fake = {};
+    fake.reset();
     int number = 0;
     Device device(fake_runtime, 0);
     fake.fails = call, fake.code = status::out_of_memory;
