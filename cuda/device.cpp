@@ -97,6 +97,7 @@ Device::Device(DeviceGroup& group, GroupMember& member)
 Device::~Device() {
   if (group_) member_->waiting = nullptr;
   if (runtime_.select(number_) != status::done) return;
+  if (pinned_used_ > 0) runtime_.wait(stream_);  // launches may still read it
   if (pinned_) runtime_.release_pinned(pinned_);
   if (!group_) runtime_.destroy_stream(stream_);
 }
