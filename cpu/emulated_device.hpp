@@ -67,8 +67,8 @@ class HeapAccess {
 
 /// Host code that reads device memory stops with SIGSEGV, as do bodies that write constants, memory that
 /// nobody wrote reads as NaN, and bodies run in a random order, so that sums that depend on the order differ
-/// between seeds. A barrier that is missing inside a kernel is a conflict of two indices where each phase is a
-/// loop, see look_for_conflicts().
+/// between seeds. A barrier that is missing inside a kernel is a conflict of two indices where each phase is
+/// a loop, see look_for_conflicts().
 class EmulatedDevice {
  public:
   static constexpr Space space = Space::device;

@@ -28,38 +28,9 @@ double shortest_edge_around(const Mesh& mesh, int node) {
   return shortest;
 }
 
-struct DeepNode {
-  int node = -1;
-  double depth = 0;
-  void add(int n, double d) {
-    if (d > depth) *this = {n, d};
-  }
-};
-
-void refuse_deep(const RigidMotion& motion, const DeepNode& its, const Mesh& mesh, const std::string& where,
-                 const std::string& advice) {
-  if (its.node < 0 || !(its.depth > 0.1 * shortest_edge_around(mesh, its.node))) return;
-  throw Error(ErrorKind::input,
-              "node " + std::to_string(its.node) + " starts " + number_text(its.depth) + where +
-                  ", so the first step would throw it out. Move one of them" + advice,
-              {"", 0, motion.body().name});
-}
-
-template <class Shape>
-void refuse_in(const Shape& shape, const RigidMotion& motion, const std::vector<int>& nodes,
-               const std::vector<double>& half_thickness, const Mesh& mesh) {
-  DeepNode inside, near;
-  for (const int n : nodes) {
-    const auto p = at(mesh, n) - motion.reference() - motion.shift(0);
-    inside.add(n, shape(p).depth);
-    near.add(n, shape(p, half_thickness[static_cast<std::size_t>(n)]).depth);
-  }
-  const bool plate = motion.body().shape == RigidShape::plate;
-  refuse_deep(motion, inside, mesh, plate ? " behind it" : " inside of it",
-              plate ? "; if the elements are on its wrong side, exchange b and c" : "");
-  refuse_deep(motion, near, mesh,
-              " too near to it: it is a node of a shell, which stays half of the thickness in front of it",
-              "");
+/// Where a node starts, as shapes want it.
+Vec3<double> from_reference(const RigidMotion& motion, int n, const Mesh& mesh) {
+  return at(mesh, n) - motion.reference() - motion.shift(0);
 }
 
 template <class Shape>
@@ -69,18 +40,55 @@ Shape shape_of(const RigidMotion& motion) {
   return shape;
 }
 
-}  // namespace
+template <class Shape>
+void refuse_in(const Shape& shape, const RigidMotion& motion, const std::vector<int>& nodes,
+               const Mesh& mesh) {
+  double deepest = 0;
+  int worst = -1;
+  for (const int n : nodes)
+    if (const double depth = shape(from_reference(motion, n, mesh)).depth; depth > deepest) {
+      deepest = depth;
+      worst = n;
+    }
+  if (worst < 0 || !(deepest > 0.1 * shortest_edge_around(mesh, worst))) return;
+  const bool plate = motion.body().shape == RigidShape::plate;
+  throw Error(ErrorKind::input,
+              "node " + std::to_string(worst) + " starts " + number_text(deepest) +
+                  (plate ? " behind it" : " inside of it") +
+                  ", so the first step would throw it out. Move one of " +
+                  (plate ? "them; if the elements are on its wrong side, exchange b and c" : "them"),
+              {"", 0, motion.body().name});
+}
 
-void refuse_overlap(const RigidMotion& motion, const std::vector<int>& nodes,
-                    const std::vector<double>& half_thickness, const Mesh& mesh) {
+/// use(shape at the start)
+template <class Use>
+void with_shape(const RigidMotion& motion, const Use& use) {
   switch (motion.body().shape) {
     case RigidShape::plate:
-      return refuse_in(shape_of<Plate<double>>(motion), motion, nodes, half_thickness, mesh);
+      return use(shape_of<Plate<double>>(motion));
     case RigidShape::cylinder:
-      return refuse_in(shape_of<Cylinder<double>>(motion), motion, nodes, half_thickness, mesh);
+      return use(shape_of<Cylinder<double>>(motion));
     case RigidShape::probe:
-      return refuse_in(shape_of<Probe<double>>(motion), motion, nodes, half_thickness, mesh);
+      return use(shape_of<Probe<double>>(motion));
   }
+}
+
+}  // namespace
+
+void refuse_overlap(const RigidMotion& motion, const std::vector<int>& nodes, const Mesh& mesh) {
+  with_shape(motion, [&](const auto& shape) { refuse_in(shape, motion, nodes, mesh); });
+}
+
+std::vector<double> gaps_to_keep(const RigidMotion& motion, const std::vector<int>& nodes,
+                                 const std::vector<double>& half_thickness, const Mesh& mesh) {
+  std::vector<double> gaps = half_thickness;
+  with_shape(motion, [&](const auto& shape) {
+    for (const int n : nodes) {
+      double& gap = gaps[static_cast<std::size_t>(n)];
+      gap = std::max(0.0, gap - shape(from_reference(motion, n, mesh), gap).depth);
+    }
+  });
+  return gaps;
 }
 
 }  // namespace glisson::contact

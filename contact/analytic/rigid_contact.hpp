@@ -15,7 +15,7 @@ struct ContactForce : LastForces<R> {
   Shape shape;
   Vec3<R> shift;     ///< of the body at the end of the step [m]
   Vec3<R> shifted;   ///< during the step [m]
-  const Vec4<R>* X;  ///< rest position from the body's reference point, w: half thickness [m]  [entry_count]
+  const Vec4<R>* X;  ///< rest position from the body's reference point, w: gap to keep [m]     [entry_count]
   const Vec4<R>* from;  ///< displacement at the beginning [m] [node_count]
   const Vec4<R>* to;  ///< and, as predicted, at the end [m]                                     [node_count]
   const Vec4<R>* v;   ///< w: 1/mass [1/kg]                                                      [node_count]
@@ -36,12 +36,11 @@ struct ContactForce : LastForces<R> {
 template <Backend B, class R, class Shape>
 class RigidContact final : public ListContact<B, R> {
  public:
-  /// half_thickness: of shells at the nodes of the mesh [m]
-  RigidContact(B& backend, RigidMotion motion, const std::vector<int>& nodes,
-               const std::vector<double>& half_thickness, const Mesh& mesh, const Numbering& numbering)
-      : ListContact<B, R>(
-            backend, motion.body().name,
-            ListContact<B, R>::entries_of(nodes, motion.reference(), mesh, numbering, half_thickness)),
+  /// gaps: that the nodes of the mesh keep [m]
+  RigidContact(B& backend, RigidMotion motion, const std::vector<int>& nodes, const std::vector<double>& gaps,
+               const Mesh& mesh, const Numbering& numbering)
+      : ListContact<B, R>(backend, motion.body().name,
+                          ListContact<B, R>::entries_of(nodes, motion.reference(), mesh, numbering, gaps)),
         motion_(std::move(motion)) {}
 
   void add_forces(const StepView<R>& step) override {

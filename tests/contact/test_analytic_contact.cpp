@@ -211,10 +211,9 @@ TYPED_TEST(RigidContacts, RestartGivesTheSameBits) {
 /// A unit cube that plates, a cylinder and a probe start in by a share of its edge.
 TEST(RigidContactInput, NodesThatStartDeepInABodyAreRefused) {
   const Mesh cube = box_mesh({1, 1, 1}, {1, 1, 1}, Shape::hexahedron);
-  std::vector<double> half(cube.X.size(), 0.0);
   const auto refused = [&](const RigidBody& body) -> std::string {
     try {
-      refuse_overlap(RigidMotion(body), candidate_nodes({}, cube), half, cube);
+      refuse_overlap(RigidMotion(body), candidate_nodes({}, cube), cube);
       return "";
     } catch (const Error& e) {
       EXPECT_EQ(e.kind(), ErrorKind::input);
@@ -229,12 +228,6 @@ TEST(RigidContactInput, NodesThatStartDeepInABodyAreRefused) {
   for (auto& corner : body.corners) corner.z = 0.8;
   EXPECT_NE(refused(body).find("compression plate: node 4 starts 0.2 behind it"), std::string::npos)
       << refused(body);
-  for (auto& corner : body.corners) corner.z = 1;
-  half[5] = 0.15;
-  EXPECT_NE(refused(body).find("node 5 starts 0.15 too near to it: it is a node of a shell"),
-            std::string::npos)
-      << refused(body);
-  half[5] = 0;
   std::swap(body.corners[1], body.corners[2]);
   for (auto& corner : body.corners) corner.z = 2;
   EXPECT_NE(refused(body).find("exchange b and c"), std::string::npos) << "the cube is on its wrong side";
@@ -248,6 +241,17 @@ TEST(RigidContactInput, NodesThatStartDeepInABodyAreRefused) {
     body.radius = 1;
     EXPECT_NE(refused(body).find("node 0 starts 0.292893 inside of it"), std::string::npos) << refused(body);
   }
+}
+
+/// A shell whose middle starts on a body, or nearer than half of its thickness, is not thrown off it.
+TEST(RigidContactInput, ShellsThatStartNearKeepTheirGap) {
+  Mesh mesh;
+  mesh.X = {{1, 1, 0}, {1, 2, 0.02}, {2, 1, 0.2}, {2, 2, -0.01}};
+  const auto gaps = gaps_to_keep(RigidMotion(table()), {0, 1, 2, 3}, {0.05, 0.05, 0.05, 0.05}, mesh);
+  EXPECT_NEAR(gaps[0], 0, 1e-15);
+  EXPECT_NEAR(gaps[1], 0.02, 1e-15);
+  EXPECT_EQ(gaps[2], 0.05);
+  EXPECT_EQ(gaps[3], 0);
 }
 
 TEST(RigidContactInput, AnEmptyListMeansTheSurface) {

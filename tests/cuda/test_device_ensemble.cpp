@@ -131,7 +131,7 @@ TEST_F(CudaDeviceEnsemble, MembersShareWhatTheyOnlyRead) {
     const auto ensemble = together(models, 2, constants);
     return constants->bytes();
   };
-  EXPECT_GT(bytes(1), 60u * 3 * 3 * 4 * 6) << "of each tetrahedron, without its energy and its nodes";
+  EXPECT_GT(bytes(1), 20u * 3 * 3 * 4 * 6) << "corners, rows and places of each tetrahedron";
   EXPECT_LE(bytes(65), bytes(1) + 64 * 16) << "parameters are their own";
 }
 
