@@ -20,6 +20,7 @@ image=$results/liver.inr.gz
 
 echo "== 1/4 packages"
 install_packages "105 MB" "${core_packages[@]}"
+require_versions
 
 echo "== 2/4 build"
 cmake --preset app -DCMAKE_INSTALL_MESSAGE=NEVER >/tmp/glisson-configure.$$ 2>&1 || {

@@ -36,6 +36,20 @@ install_packages() {
     >/dev/null
 }
 
+# at_least VERSION WANTED
+at_least() { [ "$(printf '%s\n' "$1" "$2" | sort -V | head -n 1)" = "$2" ]; }
+
+# Ends with exit code 2 where the compiler or CMake of the system are too old to try.
+require_versions() {
+  local cmake gxx=${CXX:-g++} compiler
+  cmake=$(cmake --version | sed -n '1s/^cmake version //p')
+  compiler=$($gxx -dumpversion)
+  at_least "$cmake" 3.25 && at_least "$compiler" 12 && return
+  echo "Glisson needs CMake 3.25 and g++ 12 or newer, those of Debian 12 and Ubuntu 24.04; here are CMake $cmake and $gxx $compiler." >&2
+  echo "A newer compiler beside the old one: apt-get install g++-12, then CXX=g++-12 CC=gcc-12. A newer CMake: pip install cmake." >&2
+  exit 2
+}
+
 # What the library and the command line need.
 core_packages=(g++ cmake ninja-build libeigen3-dev libtinyxml2-dev libboost-thread-dev zlib1g-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev)

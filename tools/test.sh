@@ -182,6 +182,7 @@ if [ "$install" = yes ]; then
   echo "== packages"
   install_packages "300 MB" "${core_packages[@]}" libgtest-dev python3 clang libclang-rt-dev ccache
 fi
+require_versions
 for stage in release install cuda pictures asan tsan fuzz; do
   if wanted "$stage"; then
     echo "== $stage"
