@@ -19,6 +19,7 @@ std::vector<std::unique_ptr<ForceProvider<R>>> make_rigid_bodies(B& backend, con
                                                                  const Numbering& numbering,
                                                                  std::span<const double> = {}) {
   std::vector<std::unique_ptr<ForceProvider<R>>> result;
+  if (model.bodies.empty()) return result;
   const std::vector<double> half = half_thickness_at_nodes(model);
   const auto add = [&]<class Shape>(const RigidBody& body, Shape) {
     const RigidMotion motion(body);

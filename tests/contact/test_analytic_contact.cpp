@@ -49,16 +49,20 @@ TYPED_TEST(RigidContacts, NodesEndEachStepOnTheMovingPlate) {
   for (const int n : {1, 2, 3}) expect_near(scene.bench.u[std::size_t(n)], {}, 0);
 }
 
-TYPED_TEST(RigidContacts, TheProbePushesNodesToItsSurface) {
-  Model model;
-  model.mesh.X = {{0.3, 0.4, 2}, {0, 0.1, 3.5}, {0, 0, 3}, {3, 3, 3}};
+RigidBody upright_probe(std::vector<int> nodes) {  // radius 1, centre of the tip at z = 3
   RigidBody probe;
   probe.shape = RigidShape::probe;
   probe.axis = {0, 0, 1};
   probe.radius = 1;
   probe.length = 3;
-  probe.nodes = {0, 1, 2, 3};
-  model.bodies = {probe};
+  probe.nodes = std::move(nodes);
+  return probe;
+}
+
+TYPED_TEST(RigidContacts, TheProbePushesNodesToItsSurface) {
+  Model model;
+  model.mesh.X = {{0.3, 0.4, 2}, {0, 0.1, 3.5}, {0, 0, 3}, {3, 3, 3}};
+  model.bodies = {upright_probe({0, 1, 2, 3})};
   Scene<TypeParam> scene(model, 3);
   const double eps = 4 * scene.bench.tolerance();
   scene.step(0.1);
@@ -146,14 +150,9 @@ TYPED_TEST(RigidContacts, FrictionIsMeasuredOnTheMovingBody) {
 TYPED_TEST(RigidContacts, AProbeWithFrictionTakesNodesAlong) {
   Model model;
   model.mesh.X = {{1, 0, 1}};
-  RigidBody probe;
-  probe.shape = RigidShape::probe;
-  probe.axis = {0, 0, 1};
-  probe.radius = 1;
-  probe.length = 3;
+  RigidBody probe = upright_probe({0});
   probe.displacement = {0, 0, 1};
   probe.motion = {LoadShape::ramp, 0, 1};
-  probe.nodes = {0};
   probe.friction = 3;
   model.bodies = {probe};
   Scene<TypeParam> scene(model);
@@ -162,23 +161,33 @@ TYPED_TEST(RigidContacts, AProbeWithFrictionTakesNodesAlong) {
   expect_near(scene.position(0), {1, 0, 2}, 1e-3);
 }
 
-/// Half of the thickness in front: on the table, and around a probe.
-TYPED_TEST(RigidContacts, NodesOfShellsStayHalfTheThicknessInFront) {
+/// Nodes 0, 1 and 2 are those of a skin, 0.1 thick.
+Model skin_of(std::vector<Vec3<double>> X) {
   Model model;
-  model.mesh.X = {{1, 1, 0.2}, {2, 1, 0.2}, {1, 2, 0.2}, {3, 3, 0.2}};
+  model.mesh.X = std::move(X);
   model.mesh.triangles = {{0, 1, 2}};
   ShellSection skin;
   skin.elements = {0};
   skin.thickness = {0.1};
   model.shells = {skin};
-  RigidBody probe;
-  probe.shape = RigidShape::probe;
-  probe.axis = {0, 0, -1};
-  probe.origin = {1, 1, 4};
-  probe.radius = 0.5;
-  probe.length = 2;
-  probe.nodes = {0, 1, 2, 3};
-  model.bodies = {table(), probe};
+  return model;
+}
+
+TYPED_TEST(RigidContacts, NodesOfShellsStayHalfTheThicknessAroundAProbe) {
+  Model model = skin_of({{1.2, 0, 1}, {1.2, 0, 2}, {0, 1.2, 1.5}, {1.2, 0, 1.5}});
+  model.bodies = {upright_probe({0, 1, 3})};
+  Scene<TypeParam> scene(model);
+  scene.gravity = {-10, 0, 0};
+  for (int n = 0; n < 100; ++n) scene.step(0.01);
+  const double eps = 40 * scene.bench.tolerance();
+  expect_near(scene.position(0), {1.05, 0, 1}, eps);
+  expect_near(scene.position(1), {1.05, 0, 2}, eps);
+  expect_near(scene.position(3), {1, 0, 1.5}, eps);
+}
+
+TYPED_TEST(RigidContacts, NodesOfShellsStayHalfTheThicknessInFrontOfAPlate) {
+  Model model = skin_of({{1, 1, 0.2}, {2, 1, 0.2}, {1, 2, 0.2}, {3, 3, 0.2}});
+  model.bodies = {table()};
   model.bodies[0].nodes = {0, 1, 2, 3};
   Scene<TypeParam> scene(model);
   scene.gravity = {0, 0, -10};

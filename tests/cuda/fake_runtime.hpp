@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include <glisson/cuda/runtime.hpp>
 
 namespace glisson::cuda {
@@ -176,6 +178,18 @@ inline const Runtime fake_runtime{
       delete static_cast<FakeGraph*>(graph);
     },
     [](int) { return "as the runtime calls it"; },
+};
+
+/// A test that starts with a machine like new and must leave nothing on it.
+class FakeMachine : public testing::Test {
+ protected:
+  void SetUp() override { fake.reset(); }
+  void TearDown() override {
+    EXPECT_EQ(fake.live_graphs, 0);
+    EXPECT_EQ(fake.live_streams, 0);
+    EXPECT_EQ(fake.live_blocks, 0);
+    EXPECT_EQ(fake.live_pinned, 0);
+  }
 };
 
 }  // namespace glisson::cuda

@@ -10,9 +10,8 @@
 namespace glisson::cuda {
 namespace {
 
-class CudaDevice : public testing::Test {
+class CudaDevice : public FakeMachine {
  protected:
-  void SetUp() override { fake.reset(); }
   static void let_fail(const char* call, int code) { fake.fails = call, fake.code = code; }
 };
 

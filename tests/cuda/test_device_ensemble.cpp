@@ -73,10 +73,7 @@ void expect_single_run(const Model& model, AnySimulation& member, int k) {
   EXPECT_GT(single->energies().strain, 0) << k;
 }
 
-class CudaDeviceEnsemble : public testing::Test {
- protected:
-  void SetUp() override { fake.reset(); }
-};
+using CudaDeviceEnsemble = FakeMachine;
 
 TEST_F(CudaDeviceEnsemble, MembersAreTheirSingleRunsBitByBit) {
   auto models = members(8);

@@ -9,16 +9,7 @@
 namespace glisson::cuda {
 namespace {
 
-class CudaDeviceGroup : public testing::Test {
- protected:
-  void SetUp() override { fake.reset(); }
-  void TearDown() override {
-    EXPECT_EQ(fake.live_graphs, 0);
-    EXPECT_EQ(fake.live_streams, 0);
-    EXPECT_EQ(fake.live_blocks, 0);
-    EXPECT_EQ(fake.live_pinned, 0);
-  }
-};
+using CudaDeviceGroup = FakeMachine;
 
 struct MultiplyAdd {
   unsigned factor, number;

@@ -11,14 +11,7 @@
 namespace glisson::cuda {
 namespace {
 
-class CudaLaunchQueue : public testing::Test {
- protected:
-  void SetUp() override { fake.reset(); }
-  void TearDown() override {
-    EXPECT_EQ(fake.live_graphs, 0);
-    EXPECT_EQ(fake.live_streams, 0);
-  }
-};
+using CudaLaunchQueue = FakeMachine;
 
 /// Adds and multiplies, so that the order matters, and keeps the number that must come out.
 struct Work {
