@@ -83,8 +83,9 @@ function(glisson_kernel_files out)
     ${CMAKE_CURRENT_BINARY_DIR}/kernels/lane_catalogue.cpp PARENT_SCOPE)
 endfunction()
 
-# The same for membranes and shells, which only run/ may join with the packs of cpu/: one source per instruction set.
-function(glisson_shell_kernel_files out)
+# The same for membranes and shells and for contact, which only run/ may join with the packs of cpu/: two sources per
+# instruction set.
+function(glisson_run_kernel_files out)
   set(files)
   foreach(set IN LISTS GLISSON_INSTRUCTION_SETS)
     list(GET GLISSON_${set} 0 set_name)
@@ -93,8 +94,14 @@ function(glisson_shell_kernel_files out)
     glisson_kernel_source(shell_packs/kernels.cpp.in shells_${set} "${flags}" files)
     string(APPEND shell_declarations "extern const ShellKernels shell_kernels_${set};\n")
     string(APPEND shell_tables "&shell_kernels_${set}, ")
+    glisson_kernel_source(contact_packs/kernels.cpp.in contact_${set} "${flags}" files)
+    string(APPEND contact_declarations "extern const ContactLoops<float> contact_loops_${set};\n")
+    string(APPEND contact_tables "&contact_loops_${set}, ")
   endforeach()
-  configure_file(${CMAKE_CURRENT_SOURCE_DIR}/shell_packs/catalogue.cpp.in
-    ${CMAKE_CURRENT_BINARY_DIR}/kernels/shell_catalogue.cpp @ONLY)
-  set(${out} ${files} ${CMAKE_CURRENT_BINARY_DIR}/kernels/shell_catalogue.cpp PARENT_SCOPE)
+  foreach(kind shell contact)
+    configure_file(${CMAKE_CURRENT_SOURCE_DIR}/${kind}_packs/catalogue.cpp.in
+      ${CMAKE_CURRENT_BINARY_DIR}/kernels/${kind}_catalogue.cpp @ONLY)
+    list(APPEND files ${CMAKE_CURRENT_BINARY_DIR}/kernels/${kind}_catalogue.cpp)
+  endforeach()
+  set(${out} ${files} PARENT_SCOPE)
 endfunction()

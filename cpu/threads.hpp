@@ -101,6 +101,8 @@ class Threads : public HostCopies {
   void run_body(const F& body, int first, int last) const {
     if constexpr (requires { node_kernels_->run(body, first, last); })
       node_kernels_->run(body, first, last);
+    else if constexpr (requires { body.run(first, last); })
+      body.run(first, last);
     else
       for (int i = first; i < last; ++i) body(i);
   }

@@ -36,11 +36,13 @@ std::unique_ptr<SolidForces<R>> make_plain_shells(B& backend, const Model& model
   return std::make_unique<shells::ShellForces<B, R>>(backend, model, numbering, std::move(solids));
 }
 
-/// make_solids(backend, model, numbering) -> std::unique_ptr<SolidForces<R>>; make_shells as above.
+/// make_solids(backend, model, numbering) -> std::unique_ptr<SolidForces<R>>; make_shells as above. loops: of
+/// contact, on hosts.
 template <Backend B, class R, class MakeSolids, class MakeShells>
 // NOLINTNEXTLINE(performance-unnecessary-value-param): the device's name is moved
 std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> backend, std::string device,
-                                        MakeSolids&& make_solids, MakeShells&& make_shells) {
+                                        MakeSolids&& make_solids, MakeShells&& make_shells,
+                                        const contact::ContactLoops<R>& loops = {}) {
   SimulationParts<B, R> parts;
   parts.device = std::move(device);
   parts.numbering = make_numbering(model.mesh);
@@ -58,7 +60,7 @@ std::unique_ptr<AnySimulation> assemble(const Model& model, std::unique_ptr<B> b
   contact::add_rigid_surfaces<B, R>(*backend, model, parts.numbering, parts.bodies);
   if (model.contact.wanted())
     parts.bodies.push_back(std::make_unique<contact::BodyContact<B, R>>(*backend, model, parts.numbering,
-                                                                        search_parts(*backend)));
+                                                                        search_parts(*backend), loops));
   contact::add_tied_surfaces<B, R>(*backend, model, parts.numbering, parts.mass, parts.bodies);
   parts.constraints = std::make_unique<Constraints<B, R>>(*backend, model, parts.numbering);
   parts.backend = std::move(backend);

@@ -19,7 +19,7 @@ std::unique_ptr<AnySimulation> simulate_threads_float(const Model& model, int th
     return shells::make_packed_shells(backend, its_model, numbering, std::move(solids), set);
   };
   return assemble<Threads, float>(model, std::make_unique<Threads>(threads, set.c_str()), device, make_solids,
-                                  make_shells);
+                                  make_shells, contact::contact_loops(set.c_str()));
 }
 
 }  // namespace glisson::detail

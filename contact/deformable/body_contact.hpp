@@ -11,6 +11,7 @@
 
 #include <glisson/contact/bvh/device_search.hpp>
 #include <glisson/contact/deformable/candidate_lists.hpp>
+#include <glisson/contact/deformable/contact_loops.hpp>
 #include <glisson/contact/deformable/start_overlap.hpp>
 #include <glisson/contact/deformable/surface_state.hpp>
 #include <glisson/core/base/number_text.hpp>
@@ -41,15 +42,17 @@ PairSource pair_source(B& backend, const ContactMesh& mesh, const ContactRules& 
 template <Backend B, class R>
 class BodyContact final : public ForceProvider<R>, public ContactSource {
  public:
-  /// The backend must outlive it. parts: who shares the searches. Throws Error(input) for a surface without
-  /// an inside, a pair that names no body and bodies that start in each other too deep.
-  BodyContact(B& backend, const Model& model, const Numbering& numbering, HostParts parts = {})
+  /// The backend must outlive it. parts: who shares the searches; loops: of this machine. Throws Error(input)
+  /// for a surface without an inside, a pair that names no body and bodies that start in each other too deep.
+  BodyContact(B& backend, const Model& model, const Numbering& numbering, HostParts parts = {},
+              const ContactLoops<R>& loops = {})
       : backend_(backend),
         mesh_(contact_mesh(model, numbering)),
         rules_(model, mesh_),
         distances_(contact_distances(model.contact, mesh_)),
         search_(mesh_, rules_, distances_.reach),
         parts_(std::move(parts)),
+        loops_(loops),
         pair_source_(pair_source(backend, mesh_, rules_, search_.hierarchy())),
         start_depth_(start_depth(mesh_, rules_, distances_, search_.hierarchy())),
         surface_(backend, mesh_, model, numbering),
@@ -110,8 +113,8 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   void add_next_forces(const StepView<R>& step) {
     const auto kept = lists_.keep();
     surface_.place(step, lists_.force().get(), !leaves_points());
-    const Extent<R> extent = steps_to_look_ > 0 ? Extent<R>{R(0), R(motion_ * motion_)} : surface_.extent();
-    if (!lost_ && std::isfinite(double(extent.drift))) resolve(std::sqrt(double(extent.motion)));
+    const double motion = steps_to_look_ > 0 ? motion_ : std::sqrt(double(surface_.extent().motion));
+    if (!lost_ && std::isfinite(motion)) resolve(motion);
     work_.run(step, lists_.internal_nodes(), lists_.found_force(), lists_.node_count());
     lists_.restore(kept);
   }
@@ -121,10 +124,10 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     const Extent<R> extent = surface_.extent();
     surface_.forget_extent();
     ++looks_;
-    lost_ = !std::isfinite(double(extent.drift));  // the energy account names the node
+    lost_ = !std::isfinite(double(extent.motion));  // the energy account names the node
     if (lost_) return;
     motion_ = std::sqrt(double(extent.motion));
-    double drift = std::sqrt(double(extent.drift));
+    double drift = extent.drift();
     if (!listed_ || !(drift < room_)) {
       if (leaves_points()) surface_.place(step, lists_.force().get(), true);
       search(motion_);
@@ -166,7 +169,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     const double swept = 4 * motion > distances_.reach ? 2 * distances_.swing * motion + distances_.slack : 0;
     const auto start = Clock::now();
     run_loops(backend_, long(FindFacetTouch<R>::cost) * slots, [&](auto&& loop) {
-      loop(lists_.groups(), lists_.find_facets(surface, limits, R(swept)));
+      loop_ranged(loop, lists_.groups(), lists_.find_facets(surface, limits, R(swept)), loops_.find_facets);
       loop(slots - lists_.groups(), lists_.find_edges(surface, limits));
     });
     touch_seconds_ += since(start);
@@ -176,28 +179,43 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   }
   /// All multipliers of the touches that were found.
   void iterate(const SurfaceView<R>& surface) {
-    const PushedNodes<R> pushed = lists_.pushed();
-    const int slots = lists_.slots(), nodes = lists_.node_count();
-    const bool penalty = distances_.penalty > 0;
-    const int iterations = penalty && !rules_.any_friction() ? 1 : contact_iterations;
-    run_loops(backend_, long(PushTouches<R>::cost) * slots, [&](auto&& loop) {
-      const ListPushing<R> list{pushed, lists_.touches(), surface};
-      if constexpr (B::space == Space::host)
-        loop(loop.team_size, DealTouches<R>{list, loop.team_size, nodes, slots});
-      else
-        loop(nodes, list);
-      loop(slots, SetGain<R>{lists_.touches(), pushed.entry, pushed.share});
-      double momentum = 1;  // Nesterov's t
-      for (int i = 0; i < iterations; ++i) {
-        const bool last = i + 1 == iterations;
-        const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum * momentum));
-        const double ahead = last ? 0 : (momentum - 1) / next;
-        const double share = !penalty ? 1 : i == 0 ? distances_.penalty : 0;
-        momentum = next;
-        loop(slots, PushTouches<R>{lists_.touches(), pushed.moved, pushed.push, R(ahead), R(share)});
-        loop(nodes, MovePushed<R>{pushed, last});
+    const PushedNodes<R> nodes = lists_.pushed();
+    const PressingTouches<R> touches = lists_.pressing(rules_.any_friction());
+    const ListPushes<R> list{nodes, touches, surface};
+    run_loops(backend_, long(PushTouches<R>::cost) * touch_count_, [&](auto&& loop) {
+      if constexpr (B::space == Space::host) {
+        const DealtTouches<R> dealt = lists_.dealt(loop.team_size, &touch_count_);
+        DealtCounts count;
+        loop(loop.team_size, DealTouches<R>{list, dealt, &count});
+        loop(count.touches, StartPressing<R>{touches, dealt.slots, nodes.entry, nodes.share});
+        iterate(touches, nodes, [&](const PushTouches<R>& push, const MovePushed<R>& move) {
+          loop_ranged(loop, count.touches, push, loops_.push);
+          loop_ranged(loop, loop.team_size, MoveDealt<R>{move, dealt, count}, loops_.move);
+        });
+      } else {
+        loop(lists_.node_count(), list);
+        loop(lists_.slots(), StartPressing<R>{touches, nullptr, nodes.entry, nodes.share});
+        iterate(touches, nodes, [&](const PushTouches<R>& push, const MovePushed<R>& move) {
+          loop(lists_.slots(), push);
+          loop(lists_.node_count(), move);
+        });
       }
     });
+  }
+  template <class Run>
+  void iterate(const PressingTouches<R>& touches, const PushedNodes<R>& nodes, const Run& run) const {
+    const bool penalty = distances_.penalty > 0;
+    const int iterations = penalty && !rules_.any_friction() ? 1 : contact_iterations;
+    double momentum = 1;  // Nesterov's t
+    for (int i = 0; i < iterations; ++i) {
+      const bool last = i + 1 == iterations;
+      const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum * momentum));
+      const double ahead = last ? 0 : (momentum - 1) / next;
+      const double share = !penalty ? 1 : i == 0 ? distances_.penalty : 0;
+      momentum = next;
+      run(PushTouches<R>{touches, nodes.moved, R(ahead), R(share), last ? lists_.touches() : nullptr},
+          MovePushed<R>{nodes, touches.push, last});
+    }
   }
 
   B& backend_;
@@ -206,6 +224,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   ContactDistances distances_;
   CandidateSearch search_;
   HostParts parts_;
+  ContactLoops<R> loops_;
   PairSource pair_source_;
   double start_depth_;
   SurfaceState<B, R> surface_;
@@ -218,6 +237,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   double room_ = 0;    ///< of the present candidates [m]
   double motion_ = 0;  ///< of the fastest node in a step, when somebody looked last [m]
   int steps_to_look_ = 0;
+  int touch_count_ = 0;  ///< of the last step, on hosts
   std::int64_t looks_ = 0;
   double seconds_ = 0, search_seconds_ = 0, touch_seconds_ = 0, force_seconds_ = 0;
 };
@@ -225,12 +245,15 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
 template <Backend B, class R>
 ContactReport BodyContact<B, R>::report() const {
   ContactReport report;
-  std::vector<Touch<R>> touches(std::size_t(lists_.slots()));
-  if (!touches.empty()) backend_.copy_out(lists_.touches(), touches.data(), touches.size());
-  for (const Touch<R>& t : touches) {
-    if (!t.used) continue;
-    report.depth = std::max(report.depth, -double(t.before));
-    report.node_count += t.pressing > R(0);
+  const std::size_t slots = std::size_t(lists_.slots());
+  std::vector<Touch<R>> touches(slots);
+  std::vector<unsigned char> used(slots);
+  if (slots > 0) backend_.copy_out(lists_.touches(), touches.data(), slots);
+  if (slots > 0) backend_.copy_out(lists_.used(), used.data(), slots);
+  for (std::size_t c = 0; c < slots; ++c) {
+    if (!used[c]) continue;
+    report.depth = std::max(report.depth, -double(touches[c].before));
+    report.node_count += touches[c].pressing > R(0);
   }
   std::vector<R> deepest(internal_.size());
   backend_.copy_out(lists_.deepest().get(), deepest.data(), deepest.size());

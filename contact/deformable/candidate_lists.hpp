@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include <glisson/contact/deformable/candidates.hpp>
+#include <glisson/contact/deformable/deal_touches.hpp>
 #include <glisson/contact/deformable/find_touches.hpp>
 #include <glisson/contact/deformable/resizable.hpp>
-#include <glisson/contact/deformable/resolve_touches.hpp>
 
 namespace glisson::contact {
 
@@ -24,18 +24,23 @@ class CandidateLists {
         internal_(backend),
         incident_begin_(backend),
         incident_(backend),
-        pushing_(backend),
-        pushing_count_(backend),
-        weight_(backend),
+        push_count_(backend),
+        dealt_slots_(backend),
+        dealt_pushed_(backend),
+        pushes_(backend),
         share_(backend),
         mobility_(backend),
         guess_(backend),
         moved_(backend),
+        sum_(backend),
         push_(backend),
         bias_(backend),
         friction_(backend),
         entry_(backend),
         touches_(backend),
+        used_(backend),
+        pressing_(backend),
+        rubbing_(backend),
         entry_of_(detail::zeros<int>(backend, mesh.nodes.size())),
         deepest_(detail::zeros<R>(backend, mesh.nodes.size())),
         force_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
@@ -72,10 +77,11 @@ class CandidateLists {
   const std::vector<int>& host_nodes() const { return host_nodes_; }
   const int* internal_nodes() const { return internal_.get(); }
   Touch<R>* touches() const { return touches_.get(); }
+  const unsigned char* used() const { return used_.get(); }
 
   FindFacetTouch<R> find_facets(const SurfaceView<R>& surface, const TouchLimits<R>& limits, R swept) const {
-    return {surface,         group_node_.get(), group_begin_.get(), facets_.get(), bias_.get(),
-            friction_.get(), entry_.get(),      touches_.get(),     limits,        swept};
+    return {surface,      group_node_.get(), group_begin_.get(), facets_.get(), bias_.get(), friction_.get(),
+            entry_.get(), touches_.get(),    used_.get(),        limits,        swept};
   }
   FindEdgeTouch<R> find_edges(const SurfaceView<R>& surface, const TouchLimits<R>& limits) const {
     return {surface,
@@ -84,12 +90,19 @@ class CandidateLists {
             friction_.get() + groups_,
             entry_.get() + groups_,
             touches_.get() + groups_,
+            used_.get() + groups_,
             limits};
   }
   PushedNodes<R> pushed() const {
-    return {nodes_.get(),  entry_of_.get(),      incident_begin_.get(), incident_.get(), pushing_.get(),
-            weight_.get(), pushing_count_.get(), share_.get(),          mobility_.get(), guess_.get(),
-            moved_.get(),  push_.get(),          deepest_.get(),        force_.get()};
+    return {nodes_.get(),      entry_of_.get(), incident_begin_.get(), incident_.get(), pushes_.get(),
+            push_count_.get(), share_.get(),    mobility_.get(),       guess_.get(),    moved_.get(),
+            sum_.get(),        deepest_.get(),  force_.get()};
+  }
+  PressingTouches<R> pressing(bool rub) const {
+    return {touches_.get(), used_.get(), pressing_.get(), rub ? rubbing_.get() : nullptr, push_.get()};
+  }
+  DealtTouches<R> dealt(int part_count, int* touch_count) const {
+    return {dealt_slots_.get(), dealt_pushed_.get(), touch_count, part_count, node_count(), slots_};
   }
   FoundForce<R> found_force() const { return {nodes_.get(), force_.get(), last_.get()}; }
   /// What the next step needs to know of each slot.
@@ -111,23 +124,27 @@ class CandidateLists {
       host_touches_[c].came = static_cast<int>(memory[c].came);
     }
     touches_.put(host_touches_);
+    used_.put(std::vector<unsigned char>(memory.size(), 0));
   }
   /// What a step changes in the slots and nodes.
   struct Kept {
     std::vector<Touch<R>> touches;
+    std::vector<unsigned char> used;
     std::vector<Vec4<R>> force;
     std::vector<R> deepest;
   };
   Kept keep() const {
-    Kept kept{std::vector<Touch<R>>(std::size_t(slots_)), std::vector<Vec4<R>>(host_.size()),
-              std::vector<R>(host_.size())};
+    Kept kept{std::vector<Touch<R>>(std::size_t(slots_)), std::vector<unsigned char>(std::size_t(slots_)),
+              std::vector<Vec4<R>>(host_.size()), std::vector<R>(host_.size())};
     if (slots_ > 0) backend_.copy_out(touches_.get(), kept.touches.data(), kept.touches.size());
+    if (slots_ > 0) backend_.copy_out(used_.get(), kept.used.data(), kept.used.size());
     backend_.copy_out(force_.get(), kept.force.data(), kept.force.size());
     backend_.copy_out(deepest_.get(), kept.deepest.data(), kept.deepest.size());
     return kept;
   }
   void restore(const Kept& kept) {
     touches_.put(kept.touches);
+    used_.put(kept.used);
     backend_.copy_in(kept.force.data(), force_.get(), kept.force.size());
     backend_.copy_in(kept.deepest.data(), deepest_.get(), kept.deepest.size());
   }
@@ -193,12 +210,15 @@ class CandidateLists {
     internal_.put(host_internal_);
     incident_begin_.put(host_begin_);
     incident_.put(found.incident);
-    pushing_.resize(found.incident.size());
-    weight_.resize(found.incident.size());
+    pushes_.resize(found.incident.size());
+    dealt_slots_.resize(std::size_t(slots_));
     push_.resize(std::size_t(slots_));
-    pushing_count_.resize(host_nodes_.size());
+    pressing_.resize(std::size_t(slots_));
+    rubbing_.resize(std::size_t(slots_));
+    for (auto* by_entry : {&push_count_, &dealt_pushed_}) by_entry->resize(host_nodes_.size());
     share_.resize(host_nodes_.size());
     for (auto* rows : {&mobility_, &guess_, &moved_}) rows->resize(host_nodes_.size());
+    sum_.put(std::vector<Vec4<R>>(host_nodes_.size()));
     host_entry_.assign(host_.size(), 0);
     for (std::size_t e = 0; e < host_nodes_.size(); ++e)
       host_entry_[std::size_t(host_nodes_[e])] = static_cast<int>(e);
@@ -210,11 +230,15 @@ class CandidateLists {
   std::int64_t candidates_ = 0;
   Buffer<EdgeCorners> edges_;
   Resizable<B, int> group_node_, group_begin_, facets_, pairs_, nodes_, internal_, incident_begin_, incident_,
-      pushing_, pushing_count_;
-  Resizable<B, R> weight_, share_;
-  Resizable<B, Vec4<R>> mobility_, guess_, moved_, push_;
+      push_count_, dealt_slots_, dealt_pushed_;
+  Resizable<B, Push<R>> pushes_;
+  Resizable<B, R> share_;
+  Resizable<B, Vec4<R>> mobility_, guess_, moved_, sum_, push_;
   Resizable<B, R> bias_, friction_, entry_;
   Resizable<B, Touch<R>> touches_;
+  Resizable<B, unsigned char> used_;
+  Resizable<B, PressingTouch<R>> pressing_;
+  Resizable<B, RubbingTouch<R>> rubbing_;
   Buffer<int> entry_of_;  ///< [surface nodes], like those below
   Buffer<R> deepest_;
   Buffer<Vec4<R>> force_, last_;

@@ -10,36 +10,44 @@ namespace glisson::contact {
 
 /// A node with the facets of one region that may meet it: the nearest that it faces counts (Johnsen 2016,
 /// section 5.3.4.4), or the one that it went through in the step.
-template <class R>
+/// L: a few facets are looked at together.
+template <class R, class L = FacetLanes<R>>
 struct FindFacetTouch {
   static constexpr int cost = 200;
   SurfaceView<R> surface;
   const int *group_node, *group_begin, *facets;
   const R *bias, *friction, *entry;
   Touch<R>* touches;
+  unsigned char* used;  ///< whether something has to be done about a touch
   TouchLimits<R> limits;
   R swept;  ///< what went through a facet in this step is at most so far from it now; 0 where no node moves
             ///< so far that it could pass one unseen [m]
 
+  /// The same with other lanes.
+  template <class Other>
+  FindFacetTouch<R, Other> with_lanes() const {
+    return {surface, group_node, group_begin, facets, bias, friction, entry, touches, used, limits, swept};
+  }
   /// In facets: what belongs to the node takes as long as some three.
   int work_before(int g) const { return group_begin[g] + 3 * g; }
   GLISSON_HD void operator()(int g) const {
     Touch<R>& t = touches[g];
-    t.used = false;
     const int node = group_node[g], first = group_begin[g];
     const FacetsNear<R> group{surface, surface.position(node), facets + first, bias + first,
                               group_begin[g + 1] - first};
-    NearestFacet<R> nearest;
+    NearestFacet<R, L> nearest;
     nearest.find(group, limits.reach, limits.slack);
     const Passage<R> passage = passed(group, node);
     t.friction = friction[g];
+    bool use = false;
     if (passage.facet >= 0 && t.came != came_from_behind)
-      t.used = touch_passed(t, g, passage);
+      use = touch_passed(t, g, passage);
     else if (nearest.place >= 0)
-      t.used = touch_nearest(t, g, group, nearest);
+      use = touch_nearest(t, g, group, nearest);
     else
       t.came = came_from_nowhere;
-    if (!t.used) t.pressing = R(0);
+    if (!use) t.pressing = R(0);
+    used[g] = use;
   }
 
  private:
@@ -71,7 +79,7 @@ struct FindFacetTouch {
   /// In front of the facet the gap is the distance and its normal the shortest way, which turns round edges
   /// without a jump.
   GLISSON_HD bool touch_nearest(Touch<R>& t, int g, const FacetsNear<R>& group,
-                                const NearestFacet<R>& nearest) const {
+                                const NearestFacet<R, L>& nearest) const {
     const TrianglePoint<R>& foot = nearest.foot;
     const Vec3<R> way = to_point(group, nearest.place, foot.b);
     const R out = dot(way, nearest.normal), distance = square_root(foot.distance_squared);
@@ -115,14 +123,15 @@ struct FindEdgeTouch {
   const int* pairs;  ///< [2 pair_count]
   const R *friction, *entry;
   Touch<R>* touches;
+  unsigned char* used;
   TouchLimits<R> limits;
 
   GLISSON_HD void operator()(int i) const {
     Touch<R>& t = touches[i];
     const int came = t.came;
     t.came = came_from_nowhere;
-    t.used = touch(t, i, came);
-    if (!t.used) t.pressing = R(0);
+    used[i] = touch(t, i, came);
+    if (!used[i]) t.pressing = R(0);
   }
 
  private:

@@ -42,130 +42,149 @@ struct FacetsNear {
   }
 };
 
-#ifdef __CUDACC__
-template <class R>
-constexpr int facets_together = 1;
-#else
-template <class R>
-constexpr int facets_together = Lanes<R>::width;
-#endif
-
-/// Facets of a list, measured together.
-template <class R, int most = facets_together<R>>
+/// Some facets of a list, one for each lane.
+template <class R, class L>
 struct FacetFeet {
-  int place[most];  ///< in the list
-  int count = 0;
-  TrianglePoint<R> foot[most];
-  R distance[most];  ///< [m]
-  R normal[most][3];
+  static constexpr int width = lane_count<L>;
+  Vec3<L> corner[3];
+  L bias;  ///< beyond all distances where the list has ended [m]
+  TrianglePoint<L> foot;
+  L distance;  ///< [m]
+  Vec3<L> normal;
 
-  GLISSON_HD void measure(const FacetsNear<R>& group) {
-    if constexpr (most == 1) {
-      foot[0] = group.foot(place[0]);
-      distance[0] = square_root(foot[0].distance_squared);
-      set_normal(0, group.normal(place[0]));
+  GLISSON_HD FacetFeet(const FacetsNear<R>& group, int first) {
+    const auto place = [&](int l) { return first + l < group.count ? first + l : first; };
+    for (int k = 0; k < 3; ++k) {
+      const Vec4<R>* row[width];
+      for (int l = 0; l < width; ++l) row[l] = group.row(place(l), k);
+      corner[k] = turned_rows<L, R>(row);
     }
-#ifndef __CUDACC__
-    if constexpr (most > 1) measure_lanes(group);
-#endif
+    bias = each_lane<L>([&](int l) { return first + l < group.count ? group.bias[first + l] : R(1e30); });
+  }
+  /// Whether a facet's box is as near to p as `most`, less its bias.
+  GLISSON_HD bool any_near(const Vec3<R>& p, R most) const {
+    const L away = L(most) - bias;
+    const auto near = near_range(L(p.x), corner[0].x, corner[1].x, corner[2].x, away) &
+                      near_range(L(p.y), corner[0].y, corner[1].y, corner[2].y, away) &
+                      near_range(L(p.z), corner[0].z, corner[1].z, corner[2].z, away);
+    return bits_of(near) != 0;
+  }
+  GLISSON_HD void measure(const Vec3<R>& from) {
+    const Vec3<L> p{L(from.x), L(from.y), L(from.z)};
+    foot = closest_on_triangle(p, corner[0], corner[1], corner[2]);
+    distance = square_root(foot.distance_squared);
+    const Vec3<L> n = cross(corner[1] - corner[0], corner[2] - corner[0]);
+    const L zero(R(0)), one(R(1)), squared = dot(n, n);
+    const L scale = one / square_root(select(squared > zero, squared, one));
+    normal = select(squared > zero, scale, zero) * n;
   }
 
  private:
-  GLISSON_HD void set_normal(int l, const Vec3<R>& n) {
-    normal[l][0] = n.x, normal[l][1] = n.y, normal[l][2] = n.z;
+  GLISSON_HD static auto near_range(L p, L a, L b, L c, L most) {
+    const L low = smaller(a, smaller(b, c)), high = larger(a, larger(b, c));
+    return (p > low - most) & (p < high + most);
   }
-#ifndef __CUDACC__
-  void measure_lanes(const FacetsNear<R>& group) {
-    using L = Lanes<R>;
-    const Vec4<R>* corner[3][most];
-    for (int l = 0; l < most; ++l)
-      for (int k = 0; k < 3; ++k) corner[k][l] = group.row(place[l < count ? l : 0], k);
-    const Vec3<L> x[3] = {turned_rows<R>(corner[0]), turned_rows<R>(corner[1]), turned_rows<R>(corner[2])};
-    const Vec3<L> p{L(group.p.x), L(group.p.y), L(group.p.z)}, n = cross(x[1] - x[0], x[2] - x[0]);
-    const TrianglePoint<L> feet = closest_on_triangle(p, x[0], x[1], x[2]);
-    const L zero(R(0)), one(R(1)), squared = dot(n, n), away = square_root(feet.distance_squared);
-    const L scale = one / square_root(select(squared > zero, squared, one));
-    const Vec3<L> unit = select(squared > zero, scale, zero) * n;
-    for (int l = 0; l < most; ++l) {
-      foot[l] = {{feet.b[0].v[l], feet.b[1].v[l], feet.b[2].v[l]}, feet.distance_squared.v[l]};
-      distance[l] = away.v[l];
-      set_normal(l, {unit.x.v[l], unit.y.v[l], unit.z.v[l]});
-    }
-  }
-#endif
+  GLISSON_HD static L smaller(L a, L b) { return select(a < b, a, b); }
+  GLISSON_HD static L larger(L a, L b) { return select(a > b, a, b); }
 };
 
 /// The facet with the least sum of distance and bias among those nearer than `reach`; of equal ones the
 /// first.
-template <class R>
+template <class R, class L = FacetLanes<R>>
 struct NearestFacet {
-  static constexpr int most_kept = 12;
+  static constexpr int width = lane_count<L>, most_kept = 32;
   int place = -1;  ///< in the list; -1: none is near
   R away = R(0);   ///< distance and bias [m]
   TrianglePoint<R> foot{{R(0), R(0), R(0)}, R(0)};
   Vec3<R> normal;
-  /// Those that are away by less than `slack` more, and maybe others, in the order of the list.
-  R kept_away[most_kept];
-  R kept_normal[most_kept][3];
+  /// Those that may be away by less than `slack` more, and others beside them, in the order of the list.
+  R kept_away[most_kept], kept_normal[3][most_kept];
   int kept_count = 0;
   bool complete = true;  ///< false: there are more
 
   GLISSON_HD void find(const FacetsNear<R>& group, R reach, R slack) {
-    constexpr int most = facets_together<R>;
-    R bound = R(2) * reach;                    // no facet that counts is farther
-    const bool few = group.count <= 2 * most;  // a look at each box would take longer
-    FacetFeet<R> feet;
-    for (int i = 0; i < group.count; ++i) {
-      if (few || group.near_box(i, bound + slack - group.bias[i])) feet.place[feet.count++] = i;
-      if (feet.count < (i + 1 < group.count ? most : 1)) continue;
-      feet.measure(group);
-      for (int l = 0; l < feet.count; ++l) take(group, feet, l, reach, slack, bound);
-      feet.count = 0;
+    Best best{L(R(2) * reach), L(R(-1)), {{L(R(0)), L(R(0)), L(R(0))}, L(R(0))}, {L(R(0)), L(R(0)), L(R(0))}};
+    const bool few = group.count <= 2 * width;  // a look at each box would take longer
+    R bound = R(2) * reach;                     // no facet that counts is farther
+    for (int first = 0; first < group.count; first += width) {
+      FacetFeet<R, L> feet(group, first);
+      if (!few && !feet.any_near(group.p, bound + slack)) continue;
+      feet.measure(group.p);
+      const L its = feet.distance + feet.bias;
+      best.take(feet, its, (feet.distance < L(reach)) & (its < best.away), R(first));
+      if (!few) bound = least(best.away);
+      if (bits_of(its < L(bound + slack))) keep(its, feet.normal);
     }
+    choose(best, R(2) * reach);
   }
 
  private:
-  GLISSON_HD void take(const FacetsNear<R>& group, const FacetFeet<R>& feet, int l, R reach, R slack,
-                       R& bound) {
-    const int i = feet.place[l];
-    const R d = feet.distance[l], its = d + group.bias[i];
-    if (d < reach && d < bound - group.bias[i]) {
-      place = i;
-      foot = feet.foot[l];
-      normal = {feet.normal[l][0], feet.normal[l][1], feet.normal[l][2]};
-      bound = away = its;
+  /// In each lane.
+  struct Best {
+    L away, first;
+    TrianglePoint<L> foot;
+    Vec3<L> normal;
+
+    template <class Mask>
+    GLISSON_HD void take(const FacetFeet<R, L>& feet, const L& its, const Mask& better, R its_first) {
+      away = select(better, its, away);
+      first = select(better, L(its_first), first);
+      foot = replaced(foot, better, feet.foot);
+      normal = {select(better, feet.normal.x, normal.x), select(better, feet.normal.y, normal.y),
+                select(better, feet.normal.z, normal.z)};
     }
-    if (its < bound + slack) keep(its, feet.normal[l], bound + slack);
+  };
+  GLISSON_HD static R least(const L& a) {
+    R result = lane(a, 0);
+    for (int l = 1; l < width; ++l) result = lane(a, l) < result ? lane(a, l) : result;
+    return result;
   }
-  GLISSON_HD void keep(R its, const R (&its_normal)[3], R most) {
-    if (kept_count == most_kept) {
-      kept_count = 0;
-      for (int k = 0; k < most_kept; ++k)
-        if (kept_away[k] < most) put(kept_away[k], kept_normal[k]);
+  GLISSON_HD void choose(const Best& best, R most) {
+    int from = -1;
+    away = most;
+    for (int l = 0; l < width; ++l) {
+      const int its = static_cast<int>(lane(best.first, l)) + l;
+      if (!(lane(best.away, l) < away) && !(lane(best.away, l) == away && from >= 0 && its < place)) continue;
+      away = lane(best.away, l);
+      place = its;
+      from = l;
     }
+    if (from < 0) return;
+    foot = {{lane(best.foot.b[0], from), lane(best.foot.b[1], from), lane(best.foot.b[2], from)},
+            lane(best.foot.distance_squared, from)};
+    normal = {lane(best.normal.x, from), lane(best.normal.y, from), lane(best.normal.z, from)};
+  }
+  GLISSON_HD void keep(const L& its, const Vec3<L>& its_normal) {
     complete = complete && kept_count < most_kept;
-    if (complete) put(its, its_normal);
-  }
-  GLISSON_HD void put(R its, const R (&its_normal)[3]) {
-    kept_away[kept_count] = its;
-    for (int k = 0; k < 3; ++k) kept_normal[kept_count][k] = its_normal[k];
-    ++kept_count;
+    if (!complete) return;
+    put_lanes(its, kept_away + kept_count);
+    put_lanes(its_normal.x, kept_normal[0] + kept_count);
+    put_lanes(its_normal.y, kept_normal[1] + kept_count);
+    put_lanes(its_normal.z, kept_normal[2] + kept_count);
+    kept_count += width;
   }
 };
 
 /// Mean normal of the facets that are as near as the nearest one, up to `slack`: at an edge or a vertex of
 /// the surface the force then does not depend on which of them is found first.
-template <class R>
-GLISSON_HD Vec3<R> mean_normal(const FacetsNear<R>& group, const NearestFacet<R>& nearest, R slack) {
+template <class R, class L>
+GLISSON_HD Vec3<R> mean_normal(const FacetsNear<R>& group, const NearestFacet<R, L>& nearest, R slack) {
   Vec3<R> sum;
-  const int count = nearest.complete ? nearest.kept_count : group.count;
-  for (int k = 0; k < count; ++k) {
-    const R away =
-        nearest.complete ? nearest.kept_away[k] : square_root(group.foot(k).distance_squared) + group.bias[k];
-    const R weight = R(1) - (away - nearest.away) / slack;
-    if (!(weight > R(0))) continue;
-    const R* kept = nearest.kept_normal[k < nearest.most_kept ? k : 0];
-    sum = sum + weight * (nearest.complete ? Vec3<R>{kept[0], kept[1], kept[2]} : group.normal(k));
+  const auto add = [&](R weight, const Vec3<R>& normal) {
+    if (weight > R(0)) sum = sum + weight * normal;
+  };
+  if (nearest.complete) {
+    for (int first = 0; first < nearest.kept_count; first += lane_count<L>) {
+      const L weight = L(R(1)) - (lanes_at<L>(nearest.kept_away + first) - L(nearest.away)) / L(slack);
+      for (int l = 0, k = first; l < lane_count<L>; ++l, ++k)
+        add(lane(weight, l),
+            {nearest.kept_normal[0][k], nearest.kept_normal[1][k], nearest.kept_normal[2][k]});
+    }
+  } else {
+    for (int i = 0; i < group.count; ++i) {
+      const R away = square_root(group.foot(i).distance_squared) + group.bias[i];
+      add(R(1) - (away - nearest.away) / slack, group.normal(i));
+    }
   }
   return unit_or(sum, Vec3<R>{});
 }

@@ -270,6 +270,7 @@ double start_depth(const ContactMesh& mesh, const ContactRules& rules, const Con
   const Candidates& found = search.find(mesh.X, reach);
   RestSurface surface(mesh);
   std::vector<Touch<double>> touches(at(found.group_count()));
+  std::vector<unsigned char> used(at(found.group_count()));
   const FindFacetTouch<double> find{surface.view(),
                                     found.group_node.data(),
                                     found.group_begin.data(),
@@ -278,6 +279,7 @@ double start_depth(const ContactMesh& mesh, const ContactRules& rules, const Con
                                     found.group_friction.data(),
                                     found.group_entry.data(),
                                     touches.data(),
+                                    used.data(),
                                     {reach, 0, 0, distances.slack},
                                     0};
   double deepest = 0;
@@ -287,7 +289,7 @@ double start_depth(const ContactMesh& mesh, const ContactRules& rules, const Con
     if (mesh.solid[at(node)] == mesh.solid[at(mesh.triangles[at(facet)][0])]) continue;
     touches[at(g)] = {};
     find(g);
-    if (touches[at(g)].used && -touches[at(g)].gap > deepest) {
+    if (used[at(g)] && -touches[at(g)].gap > deepest) {
       deepest = -touches[at(g)].gap;
       worst = node;
       region = mesh.region[at(facet)];

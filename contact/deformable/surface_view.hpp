@@ -44,20 +44,30 @@ struct SurfaceView {
   }
 };
 
-/// Largest squares over a chunk of nodes, and over the steps since somebody looked [m^2].
+/// Over a chunk of nodes, and over the steps since somebody looked.
 template <class R>
 struct Extent {
-  R drift = R(0);   ///< of the distance from where the candidates were found, at both ends of the step
-  R motion = R(0);  ///< of the motion in the step
+  /// Range of the displacements since the candidates were found, at both ends of the step [m]. What all nodes
+  /// have in common brings nothing nearer to anything.
+  Vec3<R> low{R(3e38), R(3e38), R(3e38)}, high{R(-3e38), R(-3e38), R(-3e38)};
+  R motion = R(0);  ///< largest square of the motion in the step [m^2]; NaN and infinite motions leave NaN
 
-  /// A NaN stays; infinite squares become one. Without a branch, which a core could not guess.
   GLISSON_HD void widen(const Extent& other) {
-    drift = larger(drift, other.drift);
-    motion = larger(motion, other.motion);
+    low = {least(low.x, other.low.x), least(low.y, other.low.y), least(low.z, other.low.z)};
+    high = {most(high.x, other.high.x), most(high.y, other.high.y), most(high.z, other.high.z)};
+    // without a branch, which a core could not guess
+    motion = most(motion, other.motion) + R(0) * (motion + other.motion);
+  }
+  /// No node is farther than this from a displacement that is the same for all [m].
+  double drift() const {
+    const double x = half(low.x, high.x), y = half(low.y, high.y), z = half(low.z, high.z);
+    return std::sqrt(x * x + y * y + z * z);
   }
 
  private:
-  GLISSON_HD static R larger(R a, R b) { return (a > b ? a : b) + R(0) * (a + b); }
+  GLISSON_HD static R least(R a, R b) { return a < b ? a : b; }
+  GLISSON_HD static R most(R a, R b) { return a > b ? a : b; }
+  static double half(R low, R high) { return low < high ? 0.5 * (double(high) - double(low)) : 0; }
 };
 
 template <class R>
@@ -87,8 +97,8 @@ struct PlaceSurface {
       surface.guess[k] = {push.x, push.y, push.z, R(0)};
     }
     const Vec3<R> drift = p - xyz(reference[k]), before = drift - d;
-    extent.widen({dot(drift, drift), dot(d, d)});
-    extent.widen({dot(before, before), R(0)});
+    extent.widen({drift, drift, dot(d, d)});
+    extent.widen({before, before, R(0)});
   }
   GLISSON_HD static void join(Sum& a, const Sum& b) { a.widen(b); }
   GLISSON_HD void leave(int c, const Sum& extent) const {

@@ -20,24 +20,19 @@ constexpr int most_touch_nodes = 5;  // a node and the corners of a quadrilatera
 
 /// gap = normal . sum weight x - offset. The weights of one side sum to 1, those of the other to -1, so that
 /// the forces weight * force on the nodes have neither a resultant nor, along the normal, a moment.
-/// Two cache lines in single precision, the first of them with all that tells whom it pushes.
+/// Of one that nothing has to be done about only `came` and `pressing`, which is then 0, mean anything.
 template <class R>
-struct alignas(64) Touch {
+struct Touch {
   int node[most_touch_nodes];  ///< of the surface; -1 where there are fewer
   R weight[most_touch_nodes];  ///< [-]
   int came;                    ///< TouchSide, of this and the next step
-  bool used;                   ///< otherwise only `came` and `pressing`, which is then 0, mean anything
   Vec3<R> normal;              ///< unit, from the side of weight < 0 to the other
   R before;                    ///< gap at the beginning of the step [m]
   R gap;                       ///< at the end of the step if contact pushes as in the last one [m]
   R target;                    ///< least gap at the end of the step [m]
-  R gain;                      ///< force per gap that is missing [N/m]
   R pressing;                  ///< the multiplier lambda [N]
-  R pressing_ahead;            ///< the same extrapolated along the last change
   R friction;                  ///< [-]
   Vec3<R> slip;                ///< tangential motion during the step up to there [m]
-  Vec3<R> rubbing;             ///< friction force [N]
-  Vec3<R> rubbing_ahead;
 };
 
 /// On which side of a thin thing something came near: inside of it, depth does not tell the side.
@@ -117,8 +112,7 @@ GLISSON_HD bool complete_touch(Touch<R>& t, const Vec4<R>* motion, const Vec4<R>
   const R along = dot(path, t.normal);
   t.before = t.gap - along;
   t.slip = path - along * t.normal;
-  t.pressing = t.pressing_ahead = limits.penalty > R(0) ? R(0) : R(touch_memory) * t.pressing;
-  t.rubbing = t.rubbing_ahead = Vec3<R>{};
+  t.pressing = limits.penalty > R(0) ? R(0) : R(touch_memory) * t.pressing;
   return enters(t, entry) && set_target(t, t.gap - dot(pushed, t.normal), limits);
 }
 

@@ -8,6 +8,14 @@
 
 namespace glisson::contact {
 
+/// Where a node was, in the surface's frame, when the surface was last looked at for it, and what of
+/// Surroundings holds there: so it need not be looked at again before the node leaves what is clear.
+template <class R>
+struct SeenSurface {
+  Vec3<R> at;                      ///< [m]
+  R clear = R(0), closest = R(0);  ///< [m]
+};
+
 /// All in the surface's frame, where it stands still: a node comes from q0 and would end the step at q1.
 template <class R>
 struct SurfaceForce : LastForces<R> {
@@ -25,6 +33,7 @@ struct SurfaceForce : LastForces<R> {
   /// Of forces that were asked for last: nothing was near on the way of the node, nor at its beginning, so
   /// that a report need not look there again  [entry_count]
   unsigned char* far_off;
+  SeenSurface<R>* seen;  ///< [entry_count]
 
   /// Motion relative to the surface. Differences come first, so that float keeps a slow slip.
   GLISSON_HD Vec3<R> slip(int i, int n) const {
@@ -34,24 +43,48 @@ struct SurfaceForce : LastForces<R> {
   /// Depth -gap in front of the surface, down to -response.close, from where on there is nothing.
   GLISSON_HD Penetration<R> penetration(int i, int n, const Vec3<R>& slipped, bool& far) const {
     const Vec3<R> q = transposed_times(turn, xyz(X[i]) + xyz(to[n]) - shift - shifted);
-    Penetration<R> p = shape.penetration(q - slipped, q, X[i].w + response.close, far);
+    const R offset = X[i].w + response.close;
+    const Vec3<R> moved = q - seen[i].at;
+    far = stays_clear(seen[i].clear - offset, q, moved, slipped);
+    if (far) return none();
+    // a facet lies nearer than this: a hint that spares looking at others
+    const R known = seen[i].closest + square_root(dot(moved, moved)) + R(1e-3) * shape.reach;
+    Surroundings<R> around;
+    Penetration<R> p =
+        shape.penetration(q - slipped, q, offset, around, seen[i].closest > R(0) ? known : R(0));
+    seen[i] = {q, around.clear, around.closest};
+    far = around.far;
     p.depth -= response.close;
     return p;
   }
   GLISSON_HD Penetration<R> penetration(int i, int n) const {
     bool far;
-    Penetration<R> none;
-    none.depth = R(0) - response.close;
-    return far_off[i] ? none : penetration(i, n, slip(i, n), far);
+    return far_off[i] ? none() : penetration(i, n, slip(i, n), far);
   }
   GLISSON_HD Vec3<R> force(int i, int n) const {
-    const R mobility = advance_per_force * v[n].w;
     bool far = false;
     const Vec3<R> path = slip(i, n);
     const Penetration<R> p = penetration(i, n, path, far);
     far_off[i] = far;
+    if (far) return {};
+    const R mobility = advance_per_force * v[n].w;
     return mobility > R(0) ? (R(1) / mobility) * times(turn, response(p, path)) : Vec3<R>{};
   }
+
+ private:
+  GLISSON_HD Penetration<R> none() const {
+    Penetration<R> nothing;
+    nothing.depth = R(0) - response.close;
+    return nothing;
+  }
+  /// All of the way to q lies in what is clear, by more than rounding.
+  GLISSON_HD static bool stays_clear(R clear, const Vec3<R>& q, const Vec3<R>& moved,
+                                     const Vec3<R>& slipped) {
+    const R room = clear - sum_of_sizes(slipped) - R(1e-6) * (sum_of_sizes(q) + sum_of_sizes(moved));
+    return room > R(0) && dot(moved, moved) < room * room;
+  }
+  GLISSON_HD static R sum_of_sizes(const Vec3<R>& a) { return size(a.x) + size(a.y) + size(a.z); }
+  GLISSON_HD static R size(R a) { return a < R(0) ? -a : a; }
 };
 
 template <class R>
@@ -77,6 +110,7 @@ class SurfaceContact final : public ListContact<B, R> {
         close_(R(close)),
         node_count_(static_cast<int>(data.nodes.size())),
         far_off_(detail::zeros<unsigned char>(backend, nodes.size())),
+        seen_(detail::zeros<SeenSurface<R>>(backend, nodes.size())),
         nodes_(detail::upload(backend, nodes_of_tree(data))),
         facets_(detail::upload(backend, facets_of_surface(data))) {}
 
@@ -130,6 +164,7 @@ class SurfaceContact final : public ListContact<B, R> {
     rule.advance_per_force = step.advance_per_force;
     rule.response = {R(surface_.friction), R(surface_.penalty.value_or(1)), close_};
     rule.far_off = far_off_.get();
+    rule.seen = seen_.get();
     return rule;
   }
 
@@ -137,6 +172,7 @@ class SurfaceContact final : public ListContact<B, R> {
   R reach_, close_;
   int node_count_;
   Buffer<unsigned char> far_off_;  ///< no state: set in each step before it is read
+  Buffer<SeenSurface<R>> seen_;    ///< nor is this: it only spares looking where nothing can be
   Buffer<SurfaceNode<R>> nodes_;
   Buffer<SurfaceFacet<R>> facets_;
 };

@@ -29,6 +29,17 @@ struct Crossing {
   Vec3<R> point, normal;
 };
 
+/// What a way through the surroundings of a surface has near it.
+template <class R>
+struct Surroundings {
+  /// No facet is so near to the way that a point anywhere on it could be in contact.
+  bool far = true;
+  /// Points that are nearer to the way's end than this, less the offset, are not in contact, nor does a way
+  /// between them cross the surface [m].
+  R clear = R(0);
+  R closest = R(0);  ///< distance of the closest facet from the way's end, 0 where none was found [m]
+};
+
 template <class R>
 struct SurfaceShape {
   const SurfaceNode<R>* nodes;
@@ -41,35 +52,43 @@ struct SurfaceShape {
   /// same side: so it may cross a whole thin body in one step. The search grows with the path.
   /// offset: how far from the surface the point is held, along the smooth normal [m]
   GLISSON_HD Penetration<R> operator()(const Vec3<R>& from, const Vec3<R>& to, R offset = R(0)) const {
-    bool far;
-    return penetration(from, to, offset, far);
+    Surroundings<R> around;
+    return penetration(from, to, offset, around);
   }
-  /// far: no facet is so near to the path that a point anywhere on it could be in contact.
-  GLISSON_HD Penetration<R> penetration(const Vec3<R>& from, const Vec3<R>& to, R offset, bool& far) const {
-    far = true;
+  /// known: a facet lies nearer to the way's end than this, 0 if nobody knows one [m]
+  GLISSON_HD Penetration<R> penetration(const Vec3<R>& from, const Vec3<R>& to, R offset,
+                                        Surroundings<R>& around, R known = R(0)) const {
+    around = {};
     const Vec3<R> path = to - from;
-    const R radius = reach + offset + square_root(dot(path, path));
-    R nearest = radius * radius;
+    const R length = square_root(dot(path, path)), radius = reach + offset + length;
+    R within = known > R(0) && known < radius ? known : radius, nearest = within * within;
+    within = within > length ? within : length;  // so far the path may cross
     int closest = -1;
     Crossing<R> crossing;
     for (int n = 0; n < node_count;) {
       const SurfaceNode<R>& node = nodes[n];
-      if (!near(node, to, radius)) {
+      if (!near(node, to, within)) {
         n = node.skip;
         continue;
       }
       ++n;
       if (node.facet < 0) continue;
-      far = false;
+      around.far = false;
       const SmoothTriangle<R>& t = facets[node.facet].smooth;
       const R d = closest_on_triangle(to, t.x[0], t.x[1], t.x[2]).distance_squared;
       if (d < nearest) {
         nearest = d;
         closest = node.facet;
+        within = nearest > length * length ? square_root(nearest) : length;
       }
       cross_facet(t, from, path, crossing);
     }
-    const Penetration<R> behind = closest >= 0 ? behind_facet(facets[closest], to, offset) : Penetration<R>{};
+    if (closest < 0) around.clear = distance_of_boxes(to, R(2) * (radius + reach)) - reach;
+    bool in_front = false;
+    const Penetration<R> behind =
+        closest >= 0 ? behind_facet(facets[closest], to, offset, in_front) : Penetration<R>{};
+    if (closest >= 0) around.closest = square_root(nearest);
+    if (in_front) around.clear = around.closest;
     if (!(crossing.at <= R(1)) || (behind.depth > R(0) && dot(behind.out, crossing.normal) > R(0)))
       return behind;
     return {dot(crossing.point - to, crossing.normal) + offset, crossing.normal};
@@ -78,6 +97,11 @@ struct SurfaceShape {
   /// How far p is behind the facet that is the closest one to it, or nearer in front of it than the offset.
   GLISSON_HD Penetration<R> behind_facet(const SurfaceFacet<R>& facet, const Vec3<R>& p,
                                          R offset = R(0)) const {
+    bool in_front;
+    return behind_facet(facet, p, offset, in_front);
+  }
+  GLISSON_HD Penetration<R> behind_facet(const SurfaceFacet<R>& facet, const Vec3<R>& p, R offset,
+                                         bool& in_front) const {
     const SmoothTriangle<R>& t = facet.smooth;
     const TrianglePoint<R> foot = closest_on_triangle(p, t.x[0], t.x[1], t.x[2]);
     Vec3<R> side = t.facet_normal();
@@ -92,8 +116,8 @@ struct SurfaceShape {
         side = t.n[k];
         border = border || facet.border_corner[k];
       }
-    const bool behind = dot(p - t.point(foot.b), side) < R(0);
-    if (!behind && !(foot.distance_squared < offset * offset)) return {};
+    in_front = !(dot(p - t.point(foot.b), side) < R(0));
+    if (in_front && !(foot.distance_squared < offset * offset)) return {};
     const SmoothGap<R> gap = smooth_gap(t, p);
     // beside an open surface is not behind it
     if (border && gap.miss > R(1e-3) * reach) return {};
@@ -105,6 +129,23 @@ struct SurfaceShape {
     return node.low.x <= p.x + radius && p.x - radius <= node.high.x && node.low.y <= p.y + radius &&
            p.y - radius <= node.high.y && node.low.z <= p.z + radius && p.z - radius <= node.high.z;
   }
+  /// Least distance along an axis to a facet's box, or less: boxes farther than `most` are not opened.
+  GLISSON_HD R distance_of_boxes(const Vec3<R>& p, R most) const {
+    R least = R(3e38);
+    for (int n = 0; n < node_count;) {
+      const R distance = box_distance(nodes[n], p);
+      const bool opened = distance < most && distance < least && nodes[n].facet < 0;
+      if (!opened && distance < least) least = distance;
+      n = opened ? n + 1 : nodes[n].skip;
+    }
+    return least;
+  }
+  GLISSON_HD static R box_distance(const SurfaceNode<R>& node, const Vec3<R>& p) {
+    const R x = beyond(node.low.x, p.x, node.high.x), y = beyond(node.low.y, p.y, node.high.y),
+            z = beyond(node.low.z, p.z, node.high.z);
+    return x > y ? (x > z ? x : z) : (y > z ? y : z);
+  }
+  GLISSON_HD static R beyond(R low, R at, R high) { return low - at > at - high ? low - at : at - high; }
   GLISSON_HD void cross_facet(const SmoothTriangle<R>& t, const Vec3<R>& from, const Vec3<R>& path,
                               Crossing<R>& crossing) const {
     const R slack = R(1e-3) * reach;

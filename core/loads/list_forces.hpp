@@ -15,6 +15,11 @@ GLISSON_HD Vec3<R> xyz(const Vec4<R>& a) {
   return {a.x, a.y, a.z};
 }
 
+template <class R>
+GLISSON_HD bool is_zero(const Vec3<R>& a) {
+  return a.x == R(0) && a.y == R(0) && a.z == R(0);
+}
+
 constexpr int entries_per_sum = 16;  ///< small, so that short lists still make enough bodies for a team
 
 /// f[n] += rule.force(i, n) for entry i of a list. A node occurs once in a list. nodes = nullptr: entry i is
@@ -30,6 +35,7 @@ struct AddForces {
   GLISSON_HD Vec3<R> add(int i) const {
     const int n = node(i);
     const Vec3<R> g = rule.force(i, n);
+    if (is_zero(g)) return g;
     f[n] = {f[n].x + g.x, f[n].y + g.y, f[n].z + g.z, f[n].w};
     return g;
   }
@@ -63,6 +69,7 @@ struct AddForcesWithWork {
     const int n = forces.node(i);
     const Vec3<R> before = forces.rule.before(i, n);
     const Vec3<R> g = forces.add(i);
+    if (is_zero(before) && is_zero(g)) return;  // most nodes of contact: spares their velocities
     sum += twice_power(before, g, v[n]);
     forces.rule.remember(i, share * g);
   }

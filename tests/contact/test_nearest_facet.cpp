@@ -72,7 +72,7 @@ Answer plain(const FacetsNear<float>& group) {
   float best = 2 * reach;
   for (int i = 0; i < group.count; ++i) {
     const float d = std::sqrt(group.foot(i).distance_squared);
-    if (!(d < reach && d < best - group.bias[i])) continue;
+    if (!(d < reach && d + group.bias[i] < best)) continue;
     best = answer.away = d + group.bias[i];
     answer.place = i;
   }
@@ -86,7 +86,9 @@ Answer plain(const FacetsNear<float>& group) {
   return answer;
 }
 
-TEST(NearestFacet, IsThatOfAPlainLoop) {
+/// L: a pack, as hosts look at facets, or one number, as devices do.
+template <class L>
+void expect_that_of_a_plain_loop() {
   std::mt19937 random(41);
   int near = 0, crowded = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -96,7 +98,7 @@ TEST(NearestFacet, IsThatOfAPlainLoop) {
                                   int(scene.facets.size())};
     const Answer expected = plain(group);
     near += expected.place >= 0;
-    NearestFacet<float> nearest;
+    NearestFacet<float, L> nearest;
     nearest.find(group, reach, slack);
     crowded += !nearest.complete;
     const Vec3<float> normal = nearest.place < 0 ? Vec3<float>{} : mean_normal(group, nearest, slack);
@@ -106,6 +108,8 @@ TEST(NearestFacet, IsThatOfAPlainLoop) {
   EXPECT_GT(near, 8000);
   EXPECT_GT(crowded, 100) << "no scene had more facets than are kept";
 }
+TEST(NearestFacet, IsThatOfAPlainLoop) { expect_that_of_a_plain_loop<Lanes<float>>(); }
+TEST(NearestFacet, OneByOneIsThatOfAPlainLoop) { expect_that_of_a_plain_loop<float>(); }
 
 }  // namespace
 }  // namespace glisson::contact
