@@ -43,6 +43,13 @@ struct StepReport {
   double user_seconds = 0;          ///< in providers of users, with carrying the state to them and back [s]
 };
 
+/// The last energy account, of the state at the start of its step.
+struct AccountReport {
+  std::int64_t step = -1;           ///< steps before it; -1: there was none
+  double time = 0;                  ///< [s]
+  double largest_displacement = 0;  ///< length, if somebody watches it [m]
+};
+
 /// Every array is in the user's node and element numbering.
 class AnySimulation {
  public:
@@ -57,12 +64,13 @@ class AnySimulation {
   virtual double time() const = 0;
   virtual StepReport report() const = 0;
   virtual Energies energies() = 0;
+  virtual AccountReport last_account() const = 0;
+  /// From now on accounts find the largest displacement too.
+  virtual void watch_largest_displacement() = 0;
   /// Residuals of quasi-static mode: {force, displacement}; both 0 in a dynamic run.
   virtual std::array<double, 2> residuals() const = 0;
 
   virtual std::vector<Vec3<double>> displacement() const = 0;  ///< [m]    [node_count]
-  /// Length of the largest one, found where the nodes are [m].
-  virtual double largest_displacement() const = 0;
   virtual std::vector<Vec3<double>> velocity() const = 0;      ///< [m/s]  [node_count]
   virtual std::vector<Vec3<double>> internal_force()
       const = 0;  ///< of the elements on the nodes, F = -f_int [N]

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <glisson/core/backend.hpp>
+#include <glisson/core/pending_sum.hpp>
 
 namespace glisson {
 
@@ -26,29 +27,38 @@ class ArraySum {
   static constexpr int first_parts = 8192, last_parts = 128;
 
  public:
-  explicit ArraySum(B& backend)
+  /// results: sums that may be pending at the same time.
+  explicit ArraySum(B& backend, int results = 1)
       : backend_(backend),
         first_(backend.template allocate<double>(first_parts)),
-        last_(backend.template allocate<double>(last_parts)),
+        last_(backend.template allocate<double>(static_cast<std::size_t>(results) * last_parts)),
         host_(last_parts) {}
 
-  double operator()(const double* values, int count) const {
-    double sum = 0;
+  PendingSum operator()(const double* values, int count, int result = 0) const {
     if constexpr (B::space == Space::host) {
+      double sum = 0;
       for (int i = 0; i < count; ++i) sum += values[i];
-    } else if (count > 0) {
+      return sum;
+    } else {
+      if (count == 0) return 0;
       if (count > first_parts) {
         backend_.for_each(first_parts, SumStrided{values, count, first_parts, first_.get()});
         values = first_.get(), count = first_parts;
       }
-      backend_.for_each(last_parts, SumStrided{values, count, last_parts, last_.get()});
-      backend_.copy_out(last_.get(), host_.data(), host_.size());
-      for (const double part : host_) sum += part;
+      double* last = last_.get() + result * last_parts;
+      backend_.for_each(last_parts, SumStrided{values, count, last_parts, last});
+      return PendingSum([this, last] { return sum_of_last(last); });
     }
-    return sum;
   }
 
  private:
+  double sum_of_last(const double* last) const {
+    backend_.copy_out(last, host_.data(), host_.size());
+    double sum = 0;
+    for (const double part : host_) sum += part;
+    return sum;
+  }
+
   B& backend_;
   Buffer<double> first_, last_;
   mutable std::vector<double> host_;

@@ -88,6 +88,16 @@ void run_loops(B& backend, long long cost, const Script& script) {
     script(LoopsOneByOne<B>{backend});
 }
 
+/// read() copies from the backend and changes nothing that it reads again. A device runs it twice, so that
+/// all of its copies share one wait: first to learn what it copies, when nothing arrives.
+template <Backend B, class Read>
+void copy_together(B& backend, const Read& read) {
+  if constexpr (requires { backend.copy_together(read); })
+    backend.copy_together(read);
+  else
+    read();
+}
+
 /// A host array in the backend's memory, where it is only read from now on: a backend may give one place to
 /// several simulations.
 template <Backend B, class T>

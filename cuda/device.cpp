@@ -165,17 +165,19 @@ void Device::step_done() {
 }
 
 unsigned* Device::place_to_copy_in(std::size_t bytes) {
-  constexpr std::size_t most = 16 << 10;
-  return bytes <= most ? place_of(bytes) : nullptr;
+  return group_ && bytes <= most_to_copy_in ? place_of(bytes) : nullptr;
 }
 
 unsigned* Device::place_to_copy_out(std::size_t bytes) {
-  constexpr std::size_t most = 4 << 20;
-  return bytes <= most ? place_of(bytes) : nullptr;
+  return group_ && bytes <= most_to_copy_out ? place_of(bytes) : nullptr;
+}
+
+unsigned* Device::place_for_joint_copies(std::size_t bytes) {
+  return bytes <= most_to_copy_out ? place_of(bytes) : nullptr;
 }
 
 unsigned* Device::place_of(std::size_t bytes) {
-  if (!group_ || bytes == 0 || bytes % sizeof(unsigned) != 0) return nullptr;
+  if (bytes == 0 || bytes % sizeof(unsigned) != 0) return nullptr;
   if (pinned_used_ + bytes > pinned_bytes_ && pinned_used_ > 0) wait();
   if (bytes > pinned_bytes_) {
     constexpr std::size_t grain = 64 << 10;

@@ -63,9 +63,12 @@ class Device {
   /// or much to copy in. A place is good until the next wait(), which may come here.
   unsigned* place_to_copy_in(std::size_t bytes);
   unsigned* place_to_copy_out(std::size_t bytes);
+  /// For any device, not only for members.
+  unsigned* place_for_joint_copies(std::size_t bytes);
 
  private:
   friend class DeviceGroup;
+  static constexpr std::size_t most_to_copy_in = 16 << 10, most_to_copy_out = 4 << 20;  ///< by launches
   static constexpr std::size_t enough_waiting = 48, most_waiting = 512;
 
   bool in_loop() const;

@@ -9,6 +9,7 @@
 #include <glisson/core/backend.hpp>
 #include <glisson/core/chunk_sums.hpp>
 #include <glisson/cuda/device.hpp>
+#include <glisson/cuda/joint_copies.hpp>
 
 namespace glisson::cuda {
 
@@ -65,13 +66,36 @@ class DeviceBackend {
   template <class T>
   void copy_out(const T* from, T* to, std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    if (unsigned* place = in_words<T> ? device_->place_to_copy_out(bytes) : nullptr) {
+    if (joint_.asks()) {
+      if (in_words<T> && bytes > 0) joint_.ask(from, bytes);
+    } else if (const void* here = joint_.read(from, bytes)) {
+      std::memcpy(static_cast<void*>(to), here, bytes);
+    } else if (unsigned* place = in_words<T> ? device_->place_to_copy_out(bytes) : nullptr) {
       copy_words(reinterpret_cast<const unsigned*>(from), place, bytes);
       wait();
       std::memcpy(static_cast<void*>(to), place, bytes);
     } else {
       device_->copy_out(from, to, bytes);
     }
+  }
+  /// See glisson::copy_together(). Copies are launches, sent with those that are still waiting.
+  template <class Read>
+  void copy_together(const Read& read) {
+    struct End {
+      JointCopies& joint;
+      ~End() { joint.end(); }
+    } end{joint_};
+    joint_.begin();
+    read();
+    if (unsigned* place = device_->place_for_joint_copies(joint_.bytes())) {
+      joint_.to(place,
+                [&](const unsigned* from, unsigned* to, std::size_t bytes) { copy_words(from, to, bytes); });
+      wait();
+      joint_.arrived(place);
+    } else {
+      joint_.end();  // one by one
+    }
+    read();
   }
   template <class F>
   void for_each(int n, F body) {
@@ -113,6 +137,7 @@ class DeviceBackend {
   }
 
   std::unique_ptr<Device> device_;  // on the heap: buffers point to it and must survive a move of the backend
+  JointCopies joint_;
 };
 
 }  // namespace glisson::cuda

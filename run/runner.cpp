@@ -133,6 +133,7 @@ void Runner::prepare() {
     simulation_ = make_simulation(model_, options_.simulation);
     hash_ = model_hash(model_);
   }
+  simulation_->watch_largest_displacement();
   summary_.device = simulation_->device();
   if (options_.simulation.device == "auto") summary_.device_choice = automatic_device_text();
   if (options_.resume) {
@@ -189,33 +190,25 @@ std::int64_t Runner::steps_until_event() const {
     if (every > 0) count = std::min(count, every - step % every);
   };
   until_multiple_of(model_.output.every);
-  until_multiple_of(report.energies_every);
+  // the first step after a multiple has its energies accounted, and so has the last one
+  const std::int64_t beyond = step % report.energies_every;
+  count = std::min(count, beyond == 0 ? 1 : report.energies_every - beyond + 1);
   if (report.planned_steps > 0)
-    count = std::min(count, std::max<std::int64_t>(1, report.planned_steps - 1 - step));
+    count = std::min(count, std::max<std::int64_t>(1, report.planned_steps - step));
   return count;
 }
 
-/// One step whose energies are accounted, and the history line of the state before it.
-void Runner::account() {
-  const std::int64_t step = simulation_->step_count();
-  const double t = simulation_->time();
-  const double reach = simulation_->largest_displacement();
-  simulation_->step();
+/// The history line of the last energy account.
+void Runner::append_history(const AccountReport& account) {
   const Energies e = simulation_->energies();
-  std::vector<double> values{t,
-                             simulation_->report().dt,
-                             e.kinetic,
-                             e.strain,
-                             e.hourglass,
-                             e.viscous,
-                             e.damping,
-                             e.external,
-                             e.prescribed,
-                             e.contact,
-                             e.imbalance(),
-                             reach};
+  std::vector<double> values{account.time,  simulation_->report().dt,
+                             e.kinetic,     e.strain,
+                             e.hourglass,   e.viscous,
+                             e.damping,     e.external,
+                             e.prescribed,  e.contact,
+                             e.imbalance(), account.largest_displacement};
   if (!model_.shells.empty()) values.push_back(e.shell);
-  files_->history->append(step, values);
+  files_->history->append(account.step, values);
 }
 
 bool Runner::advance_to_end() {
@@ -228,16 +221,13 @@ bool Runner::advance_to_end() {
       checkpoint();
       return false;
     }
-    const StepReport report = simulation_->report();
     const std::int64_t step = simulation_->step_count();
     const double before = now();
     {
       const Stopwatch watch(stepping);
-      const bool last = report.planned_steps > 0 && step + 1 >= report.planned_steps;
-      if (step % report.energies_every == 0 || last)
-        account();
-      else
-        simulation_->step(steps_until_event());
+      simulation_->step(steps_until_event());
+      const AccountReport account = simulation_->last_account();
+      if (account.step >= step) append_history(account);
     }
     const double taken = now() - before;
     const auto steps = static_cast<double>(simulation_->step_count() - step);

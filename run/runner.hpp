@@ -58,7 +58,7 @@ class Runner {
   void open_files();
   bool advance_to_end();
   std::int64_t steps_until_event() const;
-  void account();
+  void append_history(const AccountReport& account);
   void snapshot(bool text);
   void checkpoint();
   void finish(const std::string& status, const std::string& message);

@@ -28,13 +28,14 @@ class InternalForces : public SolidForces<R> {
     add_shell_forces(step);  // only one provider can leave something
     return left;
   }
-  double strain_energy(const StepView<R>& step) override {
+  PendingSum strain_energy(const StepView<R>& step) override {
     shell_energy_ = energy_of_shells(step);
-    return (solids_ ? solids_->strain_energy(step) : 0) + shell_energy_;
+    if (solids_) solid_energy_ = solids_->strain_energy(step);
+    return PendingSum([this] { return solid_energy_.read() + shell_energy_.read(); });
   }
-  double shell_energy() const override { return shell_energy_; }
-  double hourglass_energy(const StepView<R>& step) override {
-    return solids_ ? solids_->hourglass_energy(step) : 0;
+  double shell_energy() const override { return shell_energy_.read(); }
+  PendingSum hourglass_energy(const StepView<R>& step) override {
+    return solids_ ? solids_->hourglass_energy(step) : PendingSum();
   }
   /// The solids' history, then [section][element][term][3] of the shells.
   std::vector<double> history() const override {
@@ -65,7 +66,7 @@ class InternalForces : public SolidForces<R> {
     add_shell_forces(step);
     return {};
   }
-  virtual double energy_of_shells(const StepView<R>& step) = 0;
+  virtual PendingSum energy_of_shells(const StepView<R>& step) = 0;
   virtual std::size_t shell_history_size() const = 0;
   virtual void get_shell_history(double* values) const = 0;
   virtual void set_shell_history(const double* values) = 0;
@@ -73,7 +74,7 @@ class InternalForces : public SolidForces<R> {
 
  private:
   std::unique_ptr<SolidForces<R>> solids_;
-  double shell_energy_ = 0;  ///< of the last strain_energy() [J]
+  PendingSum solid_energy_, shell_energy_;  ///< of the last strain_energy() [J]
 };
 
 }  // namespace glisson::shells

@@ -85,7 +85,7 @@ class SectionForces : public InternalForces<R> {
   std::size_t bytes_ = 0;
 
  private:
-  double energy_of_shells(const StepView<R>& step) override {
+  PendingSum energy_of_shells(const StepView<R>& step) override {
     for (auto& block : blocks_) block->energy(step);
     return sum_(energy_.get(), element_count_);
   }

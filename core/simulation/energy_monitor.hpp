@@ -30,11 +30,22 @@ class EnergyMonitor {
   const Energies& last() const { return last_; }
   double last_time() const { return time_; }
 
-  /// Completes the account of time t from its parts; returns the relative imbalance.
-  double close(double t, Energies parts, bool prony) {
-    const NodeEnergies sum = node_sums();
+  /// Only what the node update knows.
+  Energies node_sums() const {
+    backend_.copy_out(chunks_.get(), host_.data(), host_.size());
+    NodeEnergies sum;
+    for (const auto& c : host_) {
+      sum.kinetic += c.kinetic;
+      sum.damping += c.damping;
+      sum.damping_ahead += c.damping_ahead;
+    }
+    Energies parts;
     parts.kinetic = sum.kinetic;
     parts.damping = sum.damping - sum.damping_ahead;
+    return parts;
+  }
+  /// Completes the account of time t from its parts; returns the relative imbalance.
+  double close(double t, Energies parts, bool prony) {
     if (!started_) initial_ = parts.kinetic + parts.strain + parts.hourglass;
     started_ = true;
     parts.initial = initial_;
@@ -66,19 +77,8 @@ class EnergyMonitor {
     bool started;
   };
 
-  NodeEnergies node_sums() {
-    backend_.copy_out(chunks_.get(), host_.data(), host_.size());
-    NodeEnergies sum;
-    for (const auto& c : host_) {
-      sum.kinetic += c.kinetic;
-      sum.damping += c.damping;
-      sum.damping_ahead += c.damping_ahead;
-    }
-    return sum;
-  }
-
   B& backend_;
-  std::vector<NodeEnergies> host_;
+  mutable std::vector<NodeEnergies> host_;
   Buffer<NodeEnergies> chunks_;
   Energies last_;
   double time_ = 0, initial_ = 0, largest_ = 0;

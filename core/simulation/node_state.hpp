@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,38 @@
 #include <glisson/core/numbering.hpp>
 
 namespace glisson {
+
+/// NaN if any is.
+inline double largest_of(std::span<const double> parts) {
+  double largest = 0;
+  for (const double part : parts) largest = part > largest || part != part ? part : largest;
+  return largest;
+}
+
+/// The largest length in a node array, on which a device can work while other things are done.
+template <class B, class R>
+class LargestLength {
+ public:
+  LargestLength(B& backend, int node_count)
+      : backend_(backend),
+        count_(node_count),
+        chunks_(backend.template allocate<double>(static_cast<std::size_t>(node_chunks(node_count)))) {}
+
+  void find(const Vec4<R>* a) {
+    backend_.for_each(node_chunks(count_), LargestChunk<R>{a, count_, chunks_.get()});
+  }
+  /// What was found last; NaN if any is. Waits for a device.
+  double read() const {
+    std::vector<double> host(static_cast<std::size_t>(node_chunks(count_)));
+    backend_.copy_out(chunks_.get(), host.data(), host.size());
+    return std::sqrt(largest_of(host));
+  }
+
+ private:
+  B& backend_;
+  int count_;
+  Buffer<double> chunks_;
+};
 
 template <class B, class R>
 class NodeState {
@@ -83,11 +116,6 @@ class NodeState {
     double sum = 0;
     for (const double part : parts) sum += part;
     return sum;
-  }
-  static double largest_of(std::span<const double> parts) {
-    double largest = 0;
-    for (const double part : parts) largest = part > largest || part != part ? part : largest;
-    return largest;
   }
   /// Of the first `sums` bodies.
   std::vector<double> partials(int sums) const {

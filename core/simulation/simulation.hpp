@@ -38,9 +38,12 @@ class Simulation final : public AnySimulation {
   double time() const override;
   StepReport report() const override;
   Energies energies() override { return monitor_.last(); }
+  AccountReport last_account() const override {
+    return {healthy_step_ - 1, monitor_.last_time(), largest_displacement_};
+  }
+  void watch_largest_displacement() override { watched_.emplace(backend_, nodes_.count()); }
   std::array<double, 2> residuals() const override;
   std::vector<Vec3<double>> displacement() const override;
-  double largest_displacement() const override { return std::sqrt(nodes_.largest(nodes_.u())); }
   std::vector<Vec3<double>> velocity() const override;
   std::vector<Vec3<double>> internal_force() const override;
   ElementFieldSource element_field_source() const override;
@@ -76,7 +79,9 @@ class Simulation final : public AnySimulation {
   void review();
   void recheck_stable_step();
   std::int64_t recheck_interval() const;
+  Energies read_energies() const;
   void account(double t);
+  void keep_healthy();
   [[noreturn]] void fail(const Energies* unbalanced, double share);
   // simulation_state.ipp
   void set_initial_velocity();
@@ -90,21 +95,24 @@ class Simulation final : public AnySimulation {
   EnergyMonitor<B, R> monitor_;
   PowerIteration<B, R> power_;
   std::optional<DynamicRelaxation<B, R>> relaxation_;
+  std::optional<LargestLength<B, R>> watched_;  ///< displacement of accounts
   std::vector<std::unique_ptr<UserForces<B, R>>> users_;
   Buffer<Vec4<R>> u_predicted_;  ///< only with contact
   Buffer<int> predicted_nodes_;  ///< nodes that contact looks at; all if there are none here
   int predicted_count_ = 0;
-  Buffer<Vec4<R>> healthy_;  ///< u at the last check that passed, if there was one [m]
+  Buffer<Vec4<R>> healthy_;  ///< u after the last check that passed, from the next step on [m]
   StepPlan plan_;
   std::int64_t step_ = 0;
   std::int64_t monitor_every_ = 1;  ///< steps between two energy accounts
   std::int64_t next_recheck_ = 0;   ///< step of the next estimate of the stable step
-  std::int64_t healthy_step_ = 0;   ///< of that check; 0: none
+  std::int64_t healthy_step_ = 0;   ///< steps before that; 0: none
   Stepper stepper_ = Stepper::central_difference;
   bool prony_ = false;                               ///< some material has a memory
   bool capped_ = false;                              ///< some springs have a strain-energy cap
   bool one_sided_ = false;                           ///< some shell is stiffer in tension from rest on
-  double strain_energy_ = 0, hourglass_energy_ = 0;  ///< of the last evaluation [J]
+  double strain_energy_ = 0;                         ///< of the last evaluation [J]
+  PendingSum strain_sum_, hourglass_sum_;            ///< of the present account [J]
+  double largest_displacement_ = 0;                  ///< of the last account, if it is watched [m]
   double stable_step_ = 0;                           ///< last estimate [s]
   std::string limited_by_;
 };

@@ -64,12 +64,15 @@ void Simulation<B, R>::choose_step() {
   next_recheck_ = recheck_interval();
 }
 
-/// Before a step whose energies are accounted: what has to be known of the state at its start.
+/// Before a step whose energies are accounted: what has to be known of the state at its start. A device goes
+/// on with the step meanwhile, unless a provider wants to know.
 template <Backend B, class R>
 void Simulation<B, R>::review() {
-  StepView<R> view = make_view();
-  strain_energy_ = parts_.solids->strain_energy(view);
-  hourglass_energy_ = parts_.solids->hourglass_energy(view);
+  const StepView<R> view = make_view();
+  strain_sum_ = parts_.solids->strain_energy(view);
+  hourglass_sum_ = parts_.solids->hourglass_energy(view);
+  if (watched_) watched_->find(nodes_.u());
+  if (capped_ || !users_.empty()) strain_energy_ = strain_sum_.read();
 }
 
 template <Backend B, class R>
@@ -82,24 +85,42 @@ void Simulation<B, R>::recheck_stable_step() {
   if (automatic && plan_.dt() > 0.95 * now) plan_.shorten(step_, model_.time.safety * now);
 }
 
+/// All that has to come from the backend for an account.
+template <Backend B, class R>
+Energies Simulation<B, R>::read_energies() const {
+  Energies parts = monitor_.node_sums();
+  parts.strain = strain_sum_.read();
+  parts.shell = parts_.solids->shell_energy();
+  parts.hourglass = hourglass_sum_.read();
+  for (const auto& load : parts_.loads) parts.external += load->work();
+  for (const auto& body : parts_.bodies) parts.contact += body->work();
+  parts.prescribed = parts_.constraints->work();
+  return parts;
+}
+
 /// Closes the energy account of time t, after the nodes have moved on to t + dt.
 template <Backend B, class R>
 void Simulation<B, R>::account(double t) {
   Energies parts;
-  parts.strain = strain_energy_;
-  parts.shell = parts_.solids->shell_energy();
-  parts.hourglass = hourglass_energy_;
-  for (const auto& load : parts_.loads) parts.external += load->work();
+  copy_together(backend_, [&] {
+    parts = read_energies();
+    if (watched_) largest_displacement_ = watched_->read();
+  });
   for (const auto& user : users_) parts.external += user->provider().work();
-  for (const auto& body : parts_.bodies) parts.contact += body->work();
-  parts.prescribed = parts_.constraints->work();
+  strain_energy_ = parts.strain;
   const double share = monitor_.close(t, parts, prony_ || relaxation_.has_value());
   const Energies& now = monitor_.last();
   if (!std::isfinite(now.kinetic) || !std::isfinite(now.strain)) fail(nullptr, share);
   const double tolerance = model_.time.energy_tolerance;
   if (tolerance > 0 && !(share <= tolerance)) fail(&now, share);
-  backend_.for_each(nodes_.count(), Copy<R>{nodes_.u(), healthy_.get()});
   healthy_step_ = step_ + 1;
+}
+
+/// u of the check that passed is kept when the next step begins: after an account nothing is left to do.
+template <Backend B, class R>
+void Simulation<B, R>::keep_healthy() {
+  if (step_ > 0 && healthy_step_ == step_)
+    backend_.for_each(nodes_.count(), Copy<R>{nodes_.u(), healthy_.get()});
 }
 
 template <Backend B, class R>

@@ -195,7 +195,7 @@ std::size_t Simulation<B, R>::memory_bytes() const {
   return nodes_.memory_bytes() + power_.memory_bytes() + parts_.solids->memory_bytes();
 }
 
-constexpr std::uint64_t checkpoint_mark = 0x32'6b'63'20'73'69'6c'67;  // "glis ck2"
+constexpr std::uint64_t checkpoint_mark = 0x33'6b'63'20'73'69'6c'67;  // "glis ck3"
 
 template <Backend B, class R>
 void Simulation<B, R>::save(std::ostream& out) const {
@@ -203,9 +203,10 @@ void Simulation<B, R>::save(std::ostream& out) const {
   write_value<std::uint64_t>(out, sizeof(R));
   write_value(out, step_);
   write_value(out, plan_);
-  write_value(out, std::array<double, 3>{strain_energy_, hourglass_energy_, stable_step_});
+  write_value(out, std::array<double, 2>{strain_energy_, stable_step_});
   write_value(out, std::array<std::int64_t, 2>{next_recheck_, healthy_step_});
-  for (const Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector(), healthy_.get()})
+  Vec4<R>* healthy = healthy_step_ == step_ ? nodes_.u() : healthy_.get();
+  for (const Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector(), healthy})
     write_array<Vec4<R>>(out, nodes_.get(a));
   write_array<double>(out, parts_.solids->history());
   monitor_.save(out);
@@ -225,8 +226,8 @@ void Simulation<B, R>::load(std::istream& in) {
         "The checkpoint was written with another precision or version. Resume with the same options.");
   step_ = read_value<std::int64_t>(in);
   plan_ = read_value<StepPlan>(in);
-  const auto scalars = read_value<std::array<double, 3>>(in);
-  strain_energy_ = scalars[0], hourglass_energy_ = scalars[1], stable_step_ = scalars[2];
+  const auto scalars = read_value<std::array<double, 2>>(in);
+  strain_energy_ = scalars[0], stable_step_ = scalars[1];
   const auto counters = read_value<std::array<std::int64_t, 2>>(in);
   next_recheck_ = counters[0], healthy_step_ = counters[1];
   for (Vec4<R>* a : {nodes_.u(), nodes_.v(), power_.vector(), healthy_.get()})

@@ -9,7 +9,8 @@ void Simulation<B, R>::step(std::int64_t count) {
     one_step();
     if constexpr (requires { backend_.step_done(); }) backend_.step_done();
   }
-  if constexpr (requires { backend_.wait(); }) backend_.wait();
+  if constexpr (requires { backend_.wait(); })
+    if (healthy_step_ != step_) backend_.wait();  // an account has waited for all
 }
 
 template <Backend B, class R>
@@ -169,11 +170,12 @@ void Simulation<B, R>::react_and_advance(StepView<R>& view, bool energies) {
 template <Backend B, class R>
 void Simulation<B, R>::one_step() {
   const bool due = step_ % monitor_every_ == 0 || step_ + 1 == plan_.last_step();
+  keep_healthy();
   if (step_ >= next_recheck_) recheck_stable_step();
   if (due)
     review();
   else if (capped_)  // Johnsen 2016, eq. 3.15, compares the energy of every step with the cap
-    strain_energy_ = parts_.solids->strain_energy(make_view());
+    strain_energy_ = parts_.solids->strain_energy(make_view()).read();
   StepView<R> view = make_view();
   const SharedForces<R> left = add_forces(view, sweeps());
   if (sweeps())

@@ -8,6 +8,7 @@
 #include <glisson/core/elements/h8.hpp>
 #include <glisson/core/elements/h8_full.hpp>
 #include <glisson/core/elements/t4.hpp>
+#include <glisson/core/kernels/patch_bodies.hpp>
 #include <glisson/core/solids/section_laws.hpp>
 
 namespace glisson {
@@ -56,21 +57,32 @@ void append_constants(const typename E::template Constants<double>& exact, std::
   bytes.insert(bytes.end(), first, first + sizeof rounded);
 }
 
+template <class E>
+bool stores(StoredConstants stored) {
+  return stored == StoredConstants::all || !forms_constants<E>;
+}
+
 template <class R>
-void append_element(HostBlock<R>& block, const Mesh& mesh, int e, double stiffness) {
+void append_tetrahedron(HostBlock<R>& block, const Vec3<double> (&X)[4], StoredConstants stored) {
+  const bool averaged = block.formulation == Formulation::t4anp;
+  if (!stores<T4>(stored) && !averaged) return;
+  const auto c = T4::make(X);
+  if (stores<T4>(stored)) append_constants<T4, R>(c, block.constants);
+  if (averaged) block.volumes.push_back(R(c.volume));
+}
+
+template <class R>
+void append_element(HostBlock<R>& block, const Mesh& mesh, int e, double stiffness, StoredConstants stored) {
   Vec3<double> X[8];
   const auto nodes = mesh.element(e);
   for (std::size_t a = 0; a < nodes.size(); ++a) X[a] = mesh.X[static_cast<std::size_t>(nodes[a])];
   if (block.nodes_per_element == 4) {
-    const Vec3<double> corners[4] = {X[0], X[1], X[2], X[3]};
-    const auto c = T4::make(corners);
-    append_constants<T4, R>(c, block.constants);
-    if (block.formulation == Formulation::t4anp) block.volumes.push_back(R(c.volume));
+    append_tetrahedron(block, {X[0], X[1], X[2], X[3]}, stored);
   } else if (block.formulation == Formulation::h8_full) {
     append_constants<H8Full, R>(H8Full::make(X), block.constants);
   } else {
     const bool fixed = block.formulation == Formulation::h8_fixed;
-    append_constants<H8, R>(H8::rest_constants(X, stiffness, fixed), block.constants);
+    if (stores<H8>(stored)) append_constants<H8, R>(H8::rest_constants(X, stiffness, fixed), block.constants);
     block.hourglass.push_back(R(stiffness));
   }
 }
@@ -121,7 +133,8 @@ void compress_parameters(HostBlock<R>& block) {
 }  // namespace
 
 template <class R>
-std::vector<HostBlock<R>> make_host_blocks(const Model& model, const Numbering& numbering) {
+std::vector<HostBlock<R>> make_host_blocks(const Model& model, const Numbering& numbering,
+                                           StoredConstants stored) {
   std::vector<HostBlock<R>> blocks;
   const auto locations = locate(model, blocks);
   std::vector<double> parameters;
@@ -133,7 +146,7 @@ std::vector<HostBlock<R>> make_host_blocks(const Model& model, const Numbering& 
     HostBlock<R>& block = blocks[static_cast<std::size_t>(at.block)];
     const Section& section = model.sections[static_cast<std::size_t>(at.section)];
     element_parameters(section, static_cast<std::size_t>(at.place), parameters);
-    append_element(block, model.mesh, e, hourglass_stiffness(section, parameters));
+    append_element(block, model.mesh, e, hourglass_stiffness(section, parameters), stored);
     for (const double p : parameters) block.parameters.push_back(R(p));
     for (const int n : model.mesh.element(e))
       block.nodes.push_back(numbering.internal_of_user[static_cast<std::size_t>(n)]);
@@ -233,8 +246,8 @@ std::vector<std::vector<R>> block_history(const std::vector<const HostBlock<R>*>
   return arrays;
 }
 
-template std::vector<HostBlock<float>> make_host_blocks(const Model&, const Numbering&);
-template std::vector<HostBlock<double>> make_host_blocks(const Model&, const Numbering&);
+template std::vector<HostBlock<float>> make_host_blocks(const Model&, const Numbering&, StoredConstants);
+template std::vector<HostBlock<double>> make_host_blocks(const Model&, const Numbering&, StoredConstants);
 template Incidence make_incidence(const std::vector<HostBlock<float>>&, int);
 template Incidence make_incidence(const std::vector<HostBlock<double>>&, int);
 template AverageLists<float> make_average_lists(const std::vector<HostBlock<float>>&, int);

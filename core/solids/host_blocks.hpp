@@ -18,7 +18,7 @@ struct HostBlock {
   std::vector<PronyTerm> prony;  ///< isochoric, then volumetric
   int isochoric_count = 0, element_count = 0, nodes_per_element = 0, point_count = 1;
   bool per_element = false;
-  std::vector<std::byte> constants;  ///< E::Constants<R> [element_count]
+  std::vector<std::byte> constants;  ///< E::Constants<R> [element_count], or none
   std::vector<int> nodes;            ///< internal numbers [element_count][nodes_per_element]
   std::vector<R> parameters;         ///< [element_count or 1][parameter_count]
   std::vector<R> volumes;            ///< T4ANP: rest volumes [m^3] [element_count]
@@ -33,8 +33,12 @@ struct HostBlock {
   }
 };
 
+/// Patches on devices form the constants of most elements anew from rest positions.
+enum class StoredConstants { all, not_formed_anew };
+
 template <class R>
-std::vector<HostBlock<R>> make_host_blocks(const Model& model, const Numbering& numbering);
+std::vector<HostBlock<R>> make_host_blocks(const Model& model, const Numbering& numbering,
+                                           StoredConstants stored = StoredConstants::all);
 
 /// For each node the places in the element forces of all blocks, one block after the other, in the order of
 /// the elements.

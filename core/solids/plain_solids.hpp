@@ -20,8 +20,8 @@ class PlainSolids final : public SolidForces<R> {
 
   Space space() const override { return B::space; }
   void add_forces(const StepView<R>& step) override;
-  double strain_energy(const StepView<R>& step) override;
-  double hourglass_energy(const StepView<R>& step) override;
+  PendingSum strain_energy(const StepView<R>& step) override;
+  PendingSum hourglass_energy(const StepView<R>& step) override;
   std::vector<double> history() const override { return history_of<R>(blocks_); }
   void set_history(const std::vector<double>& history) override { set_history_of<R>(blocks_, history); }
   std::size_t memory_bytes() const override { return bytes_; }
@@ -50,7 +50,6 @@ class PlainSolids final : public SolidForces<R> {
     Dispatch::run(backend_, function, block.view, now);
   }
   void average_pressure(const EvaluationView<R>& now);
-  double sum_energy() const { return sum_(energy_.get(), element_count_); }
 
   B& backend_;
   int node_count_ = 0, element_count_ = 0;
@@ -73,7 +72,7 @@ std::unique_ptr<SolidForces<R>> make_plain_solids(B& backend, const Model& model
 
 template <Backend B, class R>
 PlainSolids<B, R>::PlainSolids(B& backend, const Model& model, const Numbering& numbering)
-    : backend_(backend), node_count_(model.mesh.node_count()), sum_(backend) {
+    : backend_(backend), node_count_(model.mesh.node_count()), sum_(backend, 2) {
   auto hosts = make_host_blocks<R>(model, numbering);
   const Incidence incidence = make_incidence(hosts, node_count_);
   begin_ = upload(incidence.begin);
@@ -140,18 +139,18 @@ void PlainSolids<B, R>::add_forces(const StepView<R>& step) {
 }
 
 template <Backend B, class R>
-double PlainSolids<B, R>::strain_energy(const StepView<R>& step) {
+PendingSum PlainSolids<B, R>::strain_energy(const StepView<R>& step) {
   const EvaluationView<R> now{step.u, false};
   average_pressure(now);
   for (const Block& block : blocks_) run(block.kernels->energy, block, now);
-  return sum_energy();
+  return sum_(energy_.get(), element_count_);
 }
 
 template <Backend B, class R>
-double PlainSolids<B, R>::hourglass_energy(const StepView<R>& step) {
+PendingSum PlainSolids<B, R>::hourglass_energy(const StepView<R>& step) {
   if (!any_hourglass(blocks_)) return 0;
   for (const Block& block : blocks_) run(block.kernels->hourglass, block, {step.u, false});
-  return sum_energy();
+  return sum_(energy_.get(), element_count_, 1);
 }
 
 }  // namespace glisson

@@ -9,6 +9,7 @@
 #include <glisson/core/kernels/shared_forces.hpp>
 #include <glisson/core/model.hpp>
 #include <glisson/core/numbering.hpp>
+#include <glisson/core/pending_sum.hpp>
 #include <glisson/core/result_fields.hpp>
 
 namespace glisson {
@@ -23,10 +24,10 @@ class SolidForces : public ForceProvider<R> {
     return {};
   }
   /// Energy of the laws (W itself) and of the hourglass control [J], for the displacement of `step`; sums in
-  /// double.
-  virtual double strain_energy(const StepView<R>& step) = 0;
-  virtual double hourglass_energy(const StepView<R>& step) = 0;
-  /// The part of the last strain energy that is in membranes and shells [J].
+  /// double. Both may be pending.
+  virtual PendingSum strain_energy(const StepView<R>& step) = 0;
+  virtual PendingSum hourglass_energy(const StepView<R>& step) = 0;
+  /// The part of the last strain energy that is in membranes and shells [J]; waits for a device.
   virtual double shell_energy() const { return 0; }
   /// Prony history in the canonical order: for each section, each of its elements in order, each integration
   /// point, each term (isochoric, then volumetric), six components 11 22 33 12 23 13 [Pa]. Empty without

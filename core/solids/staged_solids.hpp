@@ -27,15 +27,15 @@ class StagedSolids final : public SolidForces<R> {
     shared_->add(backend_, step.f);
   }
   SharedForces<R> add_all_but_shared(const StepView<R>& step) override;
-  double strain_energy(const StepView<R>& step) override {
+  PendingSum strain_energy(const StepView<R>& step) override {
     average_pressure(step);
     for (const Block& block : blocks_) run(block, block.kernels->energy, step, false);
     return sum_(energy_.get(), element_count_);
   }
-  double hourglass_energy(const StepView<R>& step) override {
+  PendingSum hourglass_energy(const StepView<R>& step) override {
     if (!any_hourglass(blocks_)) return 0;
     for (const Block& block : blocks_) run(block, block.kernels->hourglass, step, false);
-    return sum_(energy_.get(), element_count_);
+    return sum_(energy_.get(), element_count_, 1);
   }
   std::vector<double> history() const override { return history_of<R>(blocks_); }
   void set_history(const std::vector<double>& history) override { set_history_of<R>(blocks_, history); }
@@ -97,9 +97,9 @@ std::unique_ptr<SolidForces<R>> make_staged_solids(B& backend, const Model& mode
 
 template <Backend B, class R>
 StagedSolids<B, R>::StagedSolids(B& backend, const Model& model, const Numbering& numbering)
-    : backend_(backend), sum_(backend) {
+    : backend_(backend), sum_(backend, 2) {
   const int node_count = model.mesh.node_count();
-  auto hosts = make_host_blocks<R>(model, numbering);
+  auto hosts = make_host_blocks<R>(model, numbering, StoredConstants::not_formed_anew);
   const PatchCut cut = cut_into_patches(hosts, node_count);
   shared_.emplace(backend_, cut.shared);
   bytes_ += shared_->bytes();

@@ -8,10 +8,10 @@ class LaneGroup::Solids final : public SolidForces<float> {
   Solids(LaneGroup& group, int lane) : group_(group), lane_(lane) {}
 
   void add_forces(const StepView<float>& step) override { ask(Request::Kind::forces, step); }
-  double strain_energy(const StepView<float>& step) override {
+  PendingSum strain_energy(const StepView<float>& step) override {
     return ask(Request::Kind::strain_energy, step);
   }
-  double hourglass_energy(const StepView<float>& step) override {
+  PendingSum hourglass_energy(const StepView<float>& step) override {
     return ask(Request::Kind::hourglass_energy, step);
   }
   std::vector<double> history() const override { return group_.solids_.history(lane_); }

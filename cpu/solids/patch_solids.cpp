@@ -208,12 +208,12 @@ double PatchSolids::sum_energy(const StepView<float>& step, Energy&& energy) {
   return std::accumulate(patch_energy_.begin(), patch_energy_.end(), 0.0);
 }
 
-double PatchSolids::strain_energy(const StepView<float>& step) {
+PendingSum PatchSolids::strain_energy(const StepView<float>& step) {
   return sum_energy(step,
                     [&](const Block& b) { return kernels_.strain_energy[static_cast<std::size_t>(b.kind)]; });
 }
 
-double PatchSolids::hourglass_energy(const StepView<float>& step) {
+PendingSum PatchSolids::hourglass_energy(const StepView<float>& step) {
   auto kernel = [&](const Block& b) { return kernels_.hourglass_energy[static_cast<std::size_t>(b.kind)]; };
   if (std::none_of(blocks_.begin(), blocks_.end(), [&](const Block& b) { return kernel(b) != nullptr; }))
     return 0;

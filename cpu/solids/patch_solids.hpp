@@ -15,8 +15,8 @@ class PatchSolids final : public SolidForces<float> {
   PatchSolids(Threads& threads, const Model& model, const Numbering& numbering, const InstructionSet& set);
 
   void add_forces(const StepView<float>& step) override;
-  double strain_energy(const StepView<float>& step) override;
-  double hourglass_energy(const StepView<float>& step) override;
+  PendingSum strain_energy(const StepView<float>& step) override;
+  PendingSum hourglass_energy(const StepView<float>& step) override;
   std::vector<double> history() const override;
   void set_history(const std::vector<double>& history) override;
   std::size_t memory_bytes() const override;

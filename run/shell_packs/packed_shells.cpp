@@ -220,7 +220,7 @@ class PackedShells final : public InternalForces<float> {
     return blocks;
   }
   void add_shell_forces(const StepView<float>& step) override { elements_.add_forces(step); }
-  double energy_of_shells(const StepView<float>& step) override { return elements_.energy(step); }
+  PendingSum energy_of_shells(const StepView<float>& step) override { return elements_.energy(step); }
   std::size_t shell_history_size() const override { return elements_.history_size(); }
   void get_shell_history(double* values) const override { elements_.get_history(values); }
   void set_shell_history(const double* values) override { elements_.set_history(values); }

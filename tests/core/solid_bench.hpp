@@ -43,8 +43,8 @@ class SolidBench {
     }
     return f;
   }
-  double strain_energy(const Field& u) { return solids_->strain_energy(view(u, 1, false)); }
-  double hourglass_energy(const Field& u) { return solids_->hourglass_energy(view(u, 1, false)); }
+  double strain_energy(const Field& u) { return solids_->strain_energy(view(u, 1, false)).read(); }
+  double hourglass_energy(const Field& u) { return solids_->hourglass_energy(view(u, 1, false)).read(); }
   double energy(const Field& u) { return strain_energy(u) + hourglass_energy(u); }
   SolidForces<R>& solids() { return *solids_; }
   static constexpr double epsilon() { return double(std::numeric_limits<R>::epsilon()); }

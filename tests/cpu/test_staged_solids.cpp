@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <glisson/core/base/error.hpp>
+#include <glisson/core/elements/h8.hpp>
+#include <glisson/core/elements/h8_full.hpp>
+#include <glisson/core/elements/t4.hpp>
 #include <glisson/core/solids/plain_solids.hpp>
 #include <glisson/core/solids/staged_solids.hpp>
 #include <glisson/cpu/emulated_device.hpp>
@@ -126,6 +129,12 @@ TEST(StagedSolidsState, EvaluationAloneLeavesTheHistory) {
   EXPECT_THROW(other.get().set_history({1, 2, 3}), Error);
 }
 
+std::size_t constant_bytes(Formulation formulation) {
+  if (shape_of(formulation) == Shape::tetrahedron) return sizeof(T4::Constants<float>);
+  return formulation == Formulation::h8_full ? sizeof(H8Full::Constants<float>)
+                                             : sizeof(H8::Constants<float>);
+}
+
 /// Elements in random order: their nodes are all over the mesh, and the limit on nodes cuts the patches.
 std::vector<HostBlock<float>> scattered_blocks(const Model& model) {
   Numbering numbering = make_numbering(model.mesh);
@@ -163,6 +172,26 @@ TEST(HostPatches, HoldEveryElementAndNodeOnce) {
     }
   }
   for (const int uses : slots) ASSERT_EQ(uses, 1);
+}
+
+/// A device needs the constants of no element but H8Full on its host.
+TEST(HostBlocks, LeaveOutConstantsThatAreFormedAnew) {
+  for (const auto formulation :
+       {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_fixed, Formulation::h8_full}) {
+    const Model model = mixed_model(formulation, "NH", false, {3, 3, 3});
+    const Numbering numbering = make_numbering(model.mesh);
+    const auto all = make_host_blocks<float>(model, numbering);
+    const auto some = make_host_blocks<float>(model, numbering, StoredConstants::not_formed_anew);
+    ASSERT_EQ(some.size(), all.size());
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      EXPECT_EQ(all[b].constants.size(), at(all[b].element_count) * constant_bytes(all[b].formulation));
+      EXPECT_EQ(some[b].constants.size(),
+                all[b].formulation == Formulation::h8_full ? all[b].constants.size() : 0);
+      EXPECT_EQ(some[b].volumes, all[b].volumes);
+      EXPECT_EQ(some[b].hourglass, all[b].hourglass);
+      EXPECT_EQ(some[b].nodes, all[b].nodes);
+    }
+  }
 }
 
 TEST(HostPatches, FitTheMemoryThatEveryDeviceGivesABlock) {

@@ -20,7 +20,8 @@ struct Fake {
   std::size_t parameter_bytes = 32764;
   bool computes = true;  ///< else launches do nothing
   Count live_blocks = 0, live_streams = 0, live_pinned = 0, live_graphs = 0, current = -1;
-  Count launches = 0, graph_launches = 0, replaced = 0, waits = 0, members = 0;  ///< members: of all launches
+  Count launches = 0, graph_launches = 0, replaced = 0, members = 0;  ///< members: of all launches
+  Count waits = 0;  ///< of the host for the stream, as copies from and to ordinary memory do too
   std::string fails;
 
   void reset() {
@@ -138,10 +139,12 @@ inline const Runtime fake_runtime{
     },
     [](const void* from, void* to, std::size_t bytes, void*) {
       std::memcpy(to, from, bytes);
+      ++fake.waits;
       return fail_or("copy_in");
     },
     [](const void* from, void* to, std::size_t bytes, void*) {
       std::memcpy(to, from, bytes);
+      ++fake.waits;
       return fail_or("copy_out");
     },
     [](void*) {

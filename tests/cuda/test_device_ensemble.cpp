@@ -2,10 +2,8 @@
 // compared is the member alone on a device of its own, bit by bit.
 #include <gtest/gtest.h>
 
-#include <glisson/core/solids/staged_solids.hpp>
-#include <glisson/run/assemble.hpp>
 #include <glisson/run/ensembles.hpp>
-#include <tests/cuda/fake_backend.hpp>
+#include <tests/cuda/fake_simulation.hpp>
 #include <tests/support/models.hpp>
 #include <tests/support/same_bits.hpp>
 
@@ -13,16 +11,6 @@ namespace glisson::cuda {
 namespace {
 
 using namespace glisson::test;
-
-std::unique_ptr<AnySimulation> simulate_fake(const Model& model, std::unique_ptr<Device> device) {
-  const std::string name = device->named();
-  return assemble<FakeGpu, float>(model, std::make_unique<FakeGpu>(std::move(device)), name,
-                                  make_staged_solids<FakeGpu, float>, make_plain_shells<FakeGpu, float>);
-}
-
-std::unique_ptr<AnySimulation> alone(const Model& model) {
-  return simulate_fake(model, std::make_unique<Device>(fake_runtime, 0));
-}
 
 std::unique_ptr<AnyEnsemble> together(
     const std::vector<Model>& models, int threads,
@@ -117,6 +105,20 @@ TEST_F(CudaDeviceEnsemble, MembersAlikeShareTheirLaunches) {
   const auto [of_all, by_all] = launches([&] { ensemble->step(50); });
   EXPECT_LT(of_all, 1.2 * of_one) << "three in one launch; in groups copies are launches too";
   EXPECT_GE(by_all, 3 * by_one);
+}
+
+TEST_F(CudaDeviceEnsemble, MembersShareTheWaitOfTheirAccounts) {
+  std::vector<Model> models(3, member(0));
+  for (Model& model : models) model.time.step = 2e-4, model.time.monitor_every = 10;
+  const auto ensemble = together(models, 1);
+  ensemble->step(9);
+  const auto waits = [&] {
+    const int before = fake.waits;
+    ensemble->step(1);
+    return fake.waits - before;
+  };
+  EXPECT_EQ(waits(), 1) << "at the end of a step without an account";
+  EXPECT_EQ(waits(), 1) << "its account is at the end of the step";
 }
 
 TEST_F(CudaDeviceEnsemble, MembersShareWhatTheyOnlyRead) {

@@ -50,8 +50,8 @@ class InnerForces {
     backend_.for_each(step.node_count, AddLeft{left, step.f});
     return found();
   }
-  double strain_energy(double scale) { return forces_->strain_energy(view(scale)); }
-  double hourglass_energy(double scale) { return forces_->hourglass_energy(view(scale)); }
+  double strain_energy(double scale) { return forces_->strain_energy(view(scale)).read(); }
+  double hourglass_energy(double scale) { return forces_->hourglass_energy(view(scale)).read(); }
   SolidForces<R>& get() { return *forces_; }
 
  private:
