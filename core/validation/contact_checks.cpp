@@ -29,6 +29,16 @@ void check_tie(const Model& model, const TiedSurfaces& tie) {
     refuse(tie.where, "its distance is " + number_text(*tie.distance) + ", but must be greater than 0");
 }
 
+/// Pairs of sub-models, in either order.
+template <class Pair>
+void check_listed_once(const std::vector<Pair>& pairs) {
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (std::minmax(pairs[k].a, pairs[k].b) == std::minmax(pairs[j].a, pairs[j].b))
+        refuse(pairs[k].where,
+               "'" + pairs[k].a + "' and '" + pairs[k].b + "' are a pair already; keep one of them");
+}
+
 /// Whether all solids hang together through elements.
 bool one_solid(const Mesh& mesh) {
   std::vector<int> parent(mesh.X.size());
@@ -75,14 +85,10 @@ void check_deformable_contact(const Model& model, Warnings& warnings) {
     if (n < 0 || n >= model.mesh.node_count())
       refuse(where, "node " + std::to_string(n) + " does not exist: the mesh has nodes 0 to " +
                         std::to_string(model.mesh.node_count() - 1));
-  for (std::size_t k = 0; k < contact.pairs.size(); ++k) {
-    const ContactPair& pair = contact.pairs[k];
-    check_pair(model, pair);
-    for (std::size_t j = 0; j < k; ++j)
-      if (std::minmax(pair.a, pair.b) == std::minmax(contact.pairs[j].a, contact.pairs[j].b))
-        refuse(pair.where, "'" + pair.a + "' and '" + pair.b + "' are a pair already; keep one of them");
-  }
+  for (const ContactPair& pair : contact.pairs) check_pair(model, pair);
   for (const TiedSurfaces& tie : model.ties) check_tie(model, tie);
+  check_listed_once(contact.pairs);
+  check_listed_once(model.ties);  // the second one would hold the first one's rows again, in other weights
   if (!contact.wanted()) {
     if (!contact.pairs.empty())
       warnings.push_back("contact pairs have no effect: contact of deformable bodies is switched off");

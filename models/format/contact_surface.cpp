@@ -52,8 +52,9 @@ std::vector<int> facet_lines(const XmlElement& elements, const std::vector<Facet
 void read_surface(const Reader& reader, const XmlElement& element, RigidSurface& to) {
   for (const auto name : {"SurfaceFile", "VTKSurface"})
     if (const auto file = element.child(name)) {
-      if (const auto other = element.child("Nodes"))
-        other->fail("a second geometry: <" + std::string(name) + "> is there too; keep one of them");
+      for (const auto other_name : {"Nodes", "VTKSurface"})
+        if (const auto other = element.child(other_name); other != nullptr && other != file)
+          other->fail("a second geometry: <" + std::string(name) + "> is there too; keep one of them");
       to.surface = surface_from_file(reader, *file, &to.file);
       transform_as_told(*file, to.surface.X);
       return;

@@ -78,8 +78,10 @@ TiedSurfaces read_tie(const XmlElement& element) {
   return tie;
 }
 
-void require_first(const XmlElement& element, const std::vector<ContactPair>& pairs) {
-  const ContactPair& last = pairs.back();
+/// The last one of contact pairs or ties.
+template <class Pair>
+void require_first(const XmlElement& element, const std::vector<Pair>& pairs) {
+  const Pair& last = pairs.back();
   for (std::size_t k = 0; k + 1 < pairs.size(); ++k)
     if (std::minmax(pairs[k].a, pairs[k].b) == std::minmax(last.a, last.b))
       element.fail("the pair of \"" + last.a + "\" and \"" + last.b + "\" has a " + pairs[k].where +
@@ -127,6 +129,7 @@ void read_deformable_contact(const Reader& reader, const XmlElement& model, Part
   for (const auto element : model.all("TiedSurfaces")) {
     part.model.ties.push_back(read_tie(*element));
     require_known(*element, part.model.bodies_by_name);
+    require_first(*element, part.model.ties);
   }
 }
 

@@ -167,6 +167,9 @@ TEST(TiedInput, ThatCannotBeTiedIsRefused) {
   expect_refused(model, "no sub-model with the name 'nobody'");
   model.ties[0].b = model.ties[0].a;
   expect_refused(model, "to itself");
+  model = pulled_blocks(Shape::tetrahedron, Shape::tetrahedron);
+  tie(model, 0, 1);
+  expect_refused(model, "are a pair already");
 }
 
 }  // namespace

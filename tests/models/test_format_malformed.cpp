@@ -254,6 +254,10 @@ const Bad bad_files[] = {
     {"<SystemParams>",
      FLOOR("NumEls=\"1\" Type=\"T3\">0 1 2", "<RateConstraintDistance>-1</RateConstraintDistance>"), 23,
      "must not be negative"},
+    {"<SystemParams>",
+     "<ContactSurface><SurfaceFile>a.stl</SurfaceFile><VTKSurface>b.vtk</VTKSurface></"
+     "ContactSurface><SystemParams>",
+     23, "a second geometry: <SurfaceFile> is there too"},
     {"<SystemParams>", "<ContactSurface Response=\"Penalti\"/><SystemParams>", 23, "did you mean Penalty?"},
     {"<SystemParams>", "<KinematicContact/><SystemParams>", 23, "not supported yet"},
     {"<SystemParams>", "<ReducedBasis NumVectors=\"3\"/><SystemParams>", 23, "not supported yet"},
