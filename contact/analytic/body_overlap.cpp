@@ -1,10 +1,9 @@
 #include <glisson/contact/analytic/body_overlap.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 
+#include <glisson/contact/shortest_edge.hpp>
 #include <glisson/core/base/error.hpp>
 #include <glisson/core/base/number_text.hpp>
 
@@ -12,21 +11,6 @@ namespace glisson::contact {
 namespace {
 
 const Vec3<double>& at(const Mesh& mesh, int n) { return mesh.X[static_cast<std::size_t>(n)]; }
-
-/// Of the elements and triangles that have the node; infinite without any.
-double shortest_edge_around(const Mesh& mesh, int node) {
-  double shortest = std::numeric_limits<double>::infinity();
-  const auto take = [&](const auto& nodes) {
-    if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) return;
-    for (const int n : nodes) {
-      const auto d = at(mesh, n) - at(mesh, node);
-      if (n != node) shortest = std::min(shortest, std::sqrt(dot(d, d)));
-    }
-  };
-  for (int e = 0; e < mesh.element_count(); ++e) take(mesh.element(e));
-  for (const auto& triangle : mesh.triangles) take(triangle);
-  return shortest;
-}
 
 /// Where a node starts, as shapes want it.
 Vec3<double> from_reference(const RigidMotion& motion, int n, const Mesh& mesh) {

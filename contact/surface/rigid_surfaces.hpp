@@ -5,12 +5,21 @@
 #include <memory>
 #include <vector>
 
+#include <glisson/contact/bvh/box.hpp>
 #include <glisson/contact/rate_distance.hpp>
 #include <glisson/contact/shell_thickness.hpp>
 #include <glisson/contact/surface/surface_contact.hpp>
 #include <glisson/contact/surface/surface_overlap.hpp>
 
 namespace glisson::contact {
+
+/// Of the box around the nodes at rest [m].
+inline Vec3<double> middle_of(const std::vector<int>& nodes, const Mesh& mesh) {
+  if (nodes.empty()) return {};
+  Box box;
+  for (const int n : nodes) box = united(box, mesh.X[static_cast<std::size_t>(n)]);
+  return 0.5 * (box.low + box.high);
+}
 
 /// Appends them; the backend must outlive them. Throws Error(input) when nodes start behind a surface.
 template <Backend B, class R>
@@ -21,7 +30,7 @@ void add_rigid_surfaces(B& backend, const Model& model, const Numbering& numberi
   const double close = model.contact.distance ? *model.contact.distance : rate_distance_of(model);
   for (const RigidSurface& surface : model.surfaces) {
     const std::vector<int> nodes = candidate_nodes(surface.nodes, model.mesh);
-    const SurfaceData data = surface_data(surface.surface, surface.centre);
+    const SurfaceData data = surface_data(surface.surface, middle_of(nodes, model.mesh));
     refuse_overlap(surface, data, nodes, half, model.mesh);
     to.push_back(
         std::make_unique<SurfaceContact<B, R>>(backend, surface, data, nodes, half, model.mesh, numbering,

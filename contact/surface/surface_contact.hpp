@@ -24,7 +24,7 @@ struct SurfaceForce : LastForces<R> {
   Mat3<R> turned;       ///< turn less that at its beginning
   Vec3<R> shift;        ///< at the beginning [m]
   Vec3<R> shifted;      ///< during the step [m]
-  const Vec4<R>* X;  ///< rest position relative to the centre of rotation, w: half thickness of a shell [m]
+  const Vec4<R>* X;     ///< rest position from the data's centre, w: half thickness of a shell [m]
   const Vec4<R>* from;  ///< displacement at the beginning [m]                     [node_count]
   const Vec4<R>* to;    ///< and, as predicted, at the end [m]                     [node_count]
   const Vec4<R>* v;     ///< w: 1/mass [1/kg]                                      [node_count]
@@ -102,10 +102,10 @@ class SurfaceContact final : public ListContact<B, R> {
   SurfaceContact(B& backend, const RigidSurface& surface, const SurfaceData& data,
                  const std::vector<int>& nodes, const std::vector<double>& half_thickness, const Mesh& mesh,
                  const Numbering& numbering, double close)
-      : ListContact<B, R>(
-            backend, surface.name,
-            ListContact<B, R>::entries_of(nodes, surface.centre, mesh, numbering, half_thickness)),
+      : ListContact<B, R>(backend, surface.name,
+                          ListContact<B, R>::entries_of(nodes, data.centre, mesh, numbering, half_thickness)),
         surface_(surface),
+        centre_(data.centre),
         reach_(R(data.reach)),
         close_(R(close)),
         node_count_(static_cast<int>(data.nodes.size())),
@@ -146,7 +146,7 @@ class SurfaceContact final : public ListContact<B, R> {
     return result;
   }
   SurfaceForce<R> rule(const StepView<R>& step, double t, double t_end, const Vec4<R>* to) const {
-    const SurfacePose begin = pose_at(surface_, t), end = pose_at(surface_, t_end);
+    const SurfacePose begin = pose_about(centre_, surface_, t), end = pose_about(centre_, surface_, t_end);
     Mat3<double> turned;
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) turned.m[i][k] = end.turn.m[i][k] - begin.turn.m[i][k];
@@ -169,6 +169,7 @@ class SurfaceContact final : public ListContact<B, R> {
   }
 
   RigidSurface surface_;
+  Vec3<double> centre_;  ///< of the nodes at rest, not of rotation: float keeps the digits of gaps [m]
   R reach_, close_;
   int node_count_;
   Buffer<unsigned char> far_off_;  ///< no state: set in each step before it is read

@@ -87,6 +87,7 @@ SurfaceData surface_data(const SurfaceMesh& surface, const Vec3<double>& centre)
   auto triangles = split_facets(surface.facets, x);
   part_vertices(triangles, x);
   SurfaceData data;
+  data.centre = centre;
   data.closed = closed_parts(triangles);
   data.facets = facets_of(triangles, x);
   data.reach = triangle_sizes(triangles, x).largest;
@@ -109,6 +110,13 @@ SurfacePose pose_at(const RigidSurface& surface, double t) {
             {sa * sb * cc + ca * sc, ca * cc - sa * sb * sc, -sa * cb},
             {sa * sc - ca * sb * cc, sa * cc + ca * sb * sc, ca * cb}}},
           amplitude * surface.displacement};
+}
+
+SurfacePose pose_about(const Vec3<double>& centre, const RigidSurface& surface, double t) {
+  SurfacePose pose = pose_at(surface, t);
+  const Vec3<double> arm = centre - surface.centre;
+  pose.shift = pose.shift + times(pose.turn, arm) - arm;
+  return pose;
 }
 
 }  // namespace glisson::contact

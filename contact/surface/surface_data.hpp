@@ -15,6 +15,7 @@ struct SurfaceData {
   std::vector<SurfaceFacet<double>> facets;
   std::vector<bool> closed;  ///< the facet's part of the surface has no border  [facets]
   double reach = 0;          ///< default contact distance: the largest height of its triangles [m]
+  Vec3<double> centre;       ///< that positions are measured from [m]
 
   SurfaceShape<double> shape() const {
     return {nodes.data(), facets.data(), static_cast<int>(nodes.size()), reach};
@@ -28,6 +29,8 @@ struct SurfacePose {
   Vec3<double> shift;  ///< [m]
 };
 SurfacePose pose_at(const RigidSurface& surface, double t);
+/// The same motion with another point in place of the surface's centre.
+SurfacePose pose_about(const Vec3<double>& centre, const RigidSurface& surface, double t);
 
 /// a^T v
 template <class R>

@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include <glisson/contact/shortest_edge.hpp>
 #include <glisson/core/base/error.hpp>
 #include <glisson/core/base/number_text.hpp>
 
@@ -70,12 +71,12 @@ struct StartSides {
 
 StartSides start_sides(const RigidSurface& surface, const SurfaceData& data, const std::vector<int>& nodes,
                        const std::vector<double>& half_thickness, const Mesh& mesh) {
-  const SurfacePose pose = pose_at(surface, 0);
+  const SurfacePose pose = pose_about(data.centre, surface, 0);
   const SurfaceShape<double> shape = data.shape();
   ClosestFacet closest(data);
   StartSides sides;
   for (const int n : nodes) {
-    const Vec3<double> q = transposed_times(pose.turn, mesh.X[at(n)] - surface.centre - pose.shift);
+    const Vec3<double> q = transposed_times(pose.turn, mesh.X[at(n)] - data.centre - pose.shift);
     const int facet = closest(q);
     const auto& triangle = data.facets[at(facet)].smooth;
     const double depth = shape.behind_facet(data.facets[at(facet)], q).depth;
@@ -95,17 +96,21 @@ void refuse_overlap(const RigidSurface& surface, const SurfaceData& data, const 
   if (data.facets.empty()) return;
   const StartSides sides = start_sides(surface, data, nodes, half_thickness, mesh);
   const double most = 0.01 * data.reach;
+  // the facets of a floor may be far larger than what stands on it
+  const auto deep = [&](const DeepNode& its) {
+    return its.node >= 0 && its.depth > std::min(most, 0.1 * shortest_edge_around(mesh, its.node));
+  };
   const auto refuse = [&](const DeepNode& its, const std::string& more) {
     throw Error(ErrorKind::input,
                 "node " + std::to_string(its.node) + " starts " + number_text(its.depth) + more,
                 {"", 0, surface.name});
   };
-  if (!sides.some_in_front && sides.any.depth > most)
+  if (!sides.some_in_front && deep(sides.any))
     refuse(
         sides.any,
         " behind the surface, and no node starts in front of it. Its facets' normals (right-hand rule) point "
         "to the side that nodes stay on: list the nodes of its facets backwards, or move it");
-  if (sides.refused.depth > most)
+  if (deep(sides.refused))
     refuse(sides.refused,
            " behind the surface, so the first step would throw it out. Move the surface or the body apart");
   if (sides.near.depth > most)

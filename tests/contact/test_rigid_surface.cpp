@@ -230,6 +230,28 @@ TEST(SurfaceStart, NodesBehindAreRefused) {
   expect_taken(floor, {{1, 1, 1}, {1, 1, -30}});
 }
 
+/// Two facets may be far larger than what stands on them: how deep is too deep follows from its elements.
+TEST(SurfaceStart, NodesDeepInALargeFloorAreRefused) {
+  RigidSurface floor = floor_of(1);
+  Mesh mesh = box_mesh({4, 4, 4}, {0.1, 0.1, 0.1}, Shape::hexahedron);
+  const auto refused = [&](double depth) {
+    Mesh moved = mesh;
+    for (auto& X : moved.X) X = X + Vec3<double>{1, 1, -depth};
+    std::vector<int> nodes(moved.X.size());
+    std::iota(nodes.begin(), nodes.end(), 0);
+    try {
+      refuse_overlap(floor, surface_data(floor.surface, {}), nodes, std::vector<double>(nodes.size()), moved);
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("behind the surface"), std::string::npos) << e.what();
+      return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(refused(0.002));
+  EXPECT_TRUE(refused(0.003));
+  EXPECT_TRUE(refused(0.06));
+}
+
 /// A body that lies wholly behind would be thrown to the front when it comes near: at any distance.
 TEST(SurfaceStart, SurfacesThatFaceAwayFromTheBodyAreRefused) {
   const RigidSurface floor = floor_of(), ball = surface_of(sphere({}, 1, 24, 32));
