@@ -47,6 +47,9 @@ class DynamicRelaxation {
   /// How the run ended; empty while it runs.
   std::string ending(std::int64_t step) const {
     if (converged_) return "converged";
+    if (stalled_ && far_from_rest())
+      return "not converged: the residuals no longer fall, and rounding does not explain them; a part may be "
+             "free to move away";
     if (stalled_)
       return "stalled: the residuals no longer fall; this is the accuracy of the precision in use";
     return step >= settings_.max_steps ? "not converged: MaxSteps reached" : "";
@@ -115,6 +118,10 @@ class DynamicRelaxation {
     const bool readable = residuals_[0] > 4 * rounding_;  // else f(now) - f(before) is rounding
     if (omega2 > 0 && readable) omega_ = std::min(std::sqrt(omega2), 2 / dt);
     damping_ = std::min(2 * omega_, 1.8 / dt);  // 1 - h stays positive
+  }
+  bool far_from_rest() const {
+    return residuals_[0] > 100 * std::max(settings_.force_tolerance, rounding_) ||
+           residuals_[1] > 100 * settings_.displacement_tolerance;
   }
   /// Rounding ends the descent: no better residual for as long as the slowest mode needs to lose a factor of
   /// ten.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -114,6 +115,7 @@ class Simulation final : public AnySimulation {
   PendingSum strain_sum_, hourglass_sum_;            ///< of the present account [J]
   double largest_displacement_ = 0;                  ///< of the last account, if it is watched [m]
   double stable_step_ = 0;                           ///< last estimate [s]
+  double rounding_energy_ = 0;  ///< while no energy is larger, what balances is rounding [J]
   std::string limited_by_;
 };
 

@@ -3,6 +3,16 @@
 
 namespace glisson {
 
+/// Roughly, from the box of the nodes and their number [m].
+inline double node_spacing(const Mesh& mesh) {
+  Vec3<double> low = mesh.X.front(), high = low;
+  for (const auto& X : mesh.X) {
+    low = {std::min(low.x, X.x), std::min(low.y, X.y), std::min(low.z, X.z)};
+    high = {std::max(high.x, X.x), std::max(high.y, X.y), std::max(high.z, X.z)};
+  }
+  return std::sqrt(dot(high - low, high - low)) / std::cbrt(double(mesh.X.size()));
+}
+
 /// Steps between two estimates of the stable step: 7 force evaluations each, ten times a run or every 500
 /// steps; often while the loads of a static run grow, because that is when elements change their shape fast.
 template <Backend B, class R>
@@ -59,6 +69,8 @@ void Simulation<B, R>::choose_step() {
     plan_ = StepPlan::endless(wish);
   else
     plan_ = StepPlan(time.total, time.step.value_or(wish));
+  const double speed = node_spacing(model_.mesh) / plan_.dt();
+  rounding_energy_ = 1e-16 * speed * speed * std::accumulate(parts_.mass.begin(), parts_.mass.end(), 0.0);
   const std::int64_t automatic = std::max<std::int64_t>(20, plan_.last_step() / 100);
   monitor_every_ = time.monitor_every > 0 ? time.monitor_every : relaxation_ ? 100 : automatic;
   next_recheck_ = recheck_interval();
@@ -112,7 +124,8 @@ void Simulation<B, R>::account(double t) {
   const Energies& now = monitor_.last();
   if (!std::isfinite(now.kinetic) || !std::isfinite(now.strain)) fail(nullptr, share);
   const double tolerance = model_.time.energy_tolerance;
-  if (tolerance > 0 && !(share <= tolerance)) fail(&now, share);
+  const bool at_rest = std::isfinite(share) && largest_term(now) < rounding_energy_;
+  if (tolerance > 0 && !(share <= tolerance) && !at_rest) fail(&now, share);
   healthy_step_ = step_ + 1;
 }
 
