@@ -6,6 +6,7 @@
 #include <new>
 #include <sstream>
 
+#include <glisson/contact/end_overlap.hpp>
 #include <glisson/core/base/error.hpp>
 #include <glisson/models/output/contact_pressure.hpp>
 #include <glisson/models/output/history_csv.hpp>
@@ -103,6 +104,7 @@ bool Runner::run() {
   make_directory(options_.directory);
   try {
     const bool done = run_to_end();
+    if (done) look_for_overlap();
     finish(done ? "done" : "stopped", "");
     return done;
   } catch (const Error& error) {
@@ -123,6 +125,15 @@ bool Runner::run_to_end() {
     throw Error(
         ErrorKind::run,
         "The memory of this machine is not enough for the run. Use a coarser mesh or single precision.");
+  }
+}
+
+void Runner::look_for_overlap() {
+  const Stopwatch watch(summary_.timings.output);
+  for (const auto& warning :
+       contact::overlap_warnings(model_, simulation_->displacement(), simulation_->time())) {
+    summary_.warnings.push_back(warning);
+    log(LogLevel::warning, warning);
   }
 }
 
@@ -247,6 +258,10 @@ bool Runner::advance_to_end() {
 void Runner::snapshot(bool with_text) {
   const Stopwatch watch(summary_.timings.output);
   auto state = Snapshot::of(*simulation_);
+  if (!simulation_->finished() && !std::isfinite(simulation_->largest_displacement())) {
+    const auto every = simulation_->report().energies_every;
+    simulation_->step(every - simulation_->step_count() % every + 1);  // its account says where and why
+  }
   if (!state.contact_force.empty())
     state.contact_pressure = nodal_pressure(model_.mesh, state.displacement, state.contact_force);
   files_->series->write(model_.mesh, state);

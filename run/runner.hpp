@@ -61,6 +61,7 @@ class Runner {
   void append_history(const AccountReport& account);
   void snapshot(bool text);
   void checkpoint();
+  void look_for_overlap();
   void finish(const std::string& status, const std::string& message);
   void update_summary();
   void note_progress();

@@ -6,6 +6,7 @@ usage: test_command_line.py GLISSON [unittest arguments]
 import json
 import os
 import pathlib
+import re
 import resource
 import signal
 import subprocess
@@ -241,6 +242,26 @@ class Runs(InFolder):
         self.assertTrue(summary["message"])
         for file in out.iterdir():
             self.assertNotIn(b"nan", file.read_bytes().lower())
+
+    def test_divergence_before_a_snapshot_says_where(self):
+        file = self.write("box.xml", box(2, total=2, output=7, system="<TimeStep> 0.02 </TimeStep><MonitorFreq> 99 </MonitorFreq>"))
+        self.expect(run("run", file, "-o", self.folder / "out"), 1, "found at step", "stable step")
+
+    def test_a_body_that_flies_off_is_not_at_rest(self):
+        gravity = ('<Constraint Type="Gravity" NumNodes="all" LoadShape="STEP"><AccelerationMagnitude> 9.81 </AccelerationMagnitude>'
+                   '<AccelerationDirection> 0 0 -1 </AccelerationDirection></Constraint>')
+        text = re.sub('<Constraint Type="(Fix|Disp)".*?</Constraint>', "", box(2, extra=gravity, system="<QuasiStatic/>"),
+                      flags=re.DOTALL)
+        self.expect(run("run", self.write("box.xml", text), "-o", self.folder / "out"), 1, "not converged", "free to move away")
+
+    def test_a_tip_between_nodes_is_named(self):
+        tip = ('<ContactSurface><Nodes NumNodes="5"> 0.024 0.024 0.12  0.026 0.024 0.12  0.026 0.026 0.12  0.024 0.026 0.12  '
+               '0.025 0.025 0.101 </Nodes><Elements NumEls="4" Type="T3"> 0 4 1  1 4 2  2 4 3  3 4 0 </Elements>'
+               '<Motion Type="Translation"> 0 0 -0.05 </Motion></ContactSurface>')
+        done = run("run", self.write("box.xml", box(2, extra=tip)), "-o", self.folder / "out")
+        self.expect(done, 0)
+        self.assertIn("went in between them", done.stderr)
+        self.assertIn("went in between them", json.loads((self.folder / "out" / "summary.json").read_text())["warnings"][0])
 
     def test_other_commands(self):
         file = self.write("box.xml", box(2))
