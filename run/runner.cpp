@@ -258,7 +258,9 @@ bool Runner::advance_to_end() {
 void Runner::snapshot(bool with_text) {
   const Stopwatch watch(summary_.timings.output);
   auto state = Snapshot::of(*simulation_);
-  if (!simulation_->finished() && !std::isfinite(simulation_->largest_displacement())) {
+  const bool finite = std::all_of(state.displacement.begin(), state.displacement.end(),
+                                  [](const auto& u) { return std::isfinite(u.x + u.y + u.z); });
+  if (!simulation_->finished() && !finite) {
     const auto every = simulation_->report().energies_every;
     simulation_->step(every - simulation_->step_count() % every + 1);  // its account says where and why
   }

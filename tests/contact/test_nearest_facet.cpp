@@ -109,6 +109,7 @@ void expect_that_of_a_plain_loop() {
   EXPECT_GT(crowded, 100) << "no scene had more facets than are kept";
 }
 TEST(NearestFacet, IsThatOfAPlainLoop) { expect_that_of_a_plain_loop<Lanes<float>>(); }
+TEST(NearestFacet, OfWidePacksIsThatOfAPlainLoop) { expect_that_of_a_plain_loop<Lanes<float, 8>>(); }
 TEST(NearestFacet, OneByOneIsThatOfAPlainLoop) { expect_that_of_a_plain_loop<float>(); }
 
 }  // namespace

@@ -74,5 +74,26 @@ TEST(SurfaceShape, NothingTouchesWithinWhatIsClearAroundAPoint) {
   EXPECT_GT(clear_ways(data_of(floor), 5), 10000);
 }
 
+TEST(SurfaceShape, AFacetThatIsKnownSparesOthersAndChangesNothing) {
+  const SurfaceData data = data_of(sphere({}, 1, 10, 14));
+  const SurfaceShape<double> shape = data.shape();
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> at(-1.2, 1.2), step(-0.2, 0.2);
+  int touching = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3<double> from{at(random), at(random), at(random)};
+    const Vec3<double> to = from + Vec3<double>{step(random), step(random), step(random)};
+    Surroundings<double> around, again;
+    const auto expected = shape.penetration(from, to, 0.01, around);
+    if (around.closest == 0) continue;
+    const auto found = shape.penetration(from, to, 0.01, again, around.closest + 1e-9);
+    EXPECT_EQ(found.depth, expected.depth) << "way " << i;
+    EXPECT_EQ(dot(found.out - expected.out, found.out - expected.out), 0) << "way " << i;
+    EXPECT_EQ(again.closest, around.closest);
+    touching += found.depth > 0;
+  }
+  EXPECT_GT(touching, 2000);
+}
+
 }  // namespace
 }  // namespace glisson::contact
