@@ -117,8 +117,12 @@ void warn_of_overlap(const AnySimulation& simulation, const Mesh& mesh, std::vec
   for (const auto& [name, report] : simulation.contacts())
     if (report.start_depth > 1e-6 * std::sqrt(dot(size, size)))
       warnings.push_back(
-          fmt::format("{}: bodies start up to {:.3g} inside of each other; the first steps will part them",
-                      name, report.start_depth));
+          report.between_bodies
+              ? fmt::format(
+                    "{}: bodies start up to {:.3g} inside of each other; the first steps will part them",
+                    name, report.start_depth)
+              : fmt::format("{}: nodes start up to {:.3g} too deep; they come out within a tenth of the run",
+                            name, report.start_depth));
 }
 
 }  // namespace

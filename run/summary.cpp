@@ -84,10 +84,8 @@ Json contacts_of(const std::vector<NamedContact>& contacts) {
              {"largest_depth", report.largest_depth},
              {"depth", report.depth},
              {"touches", report.node_count}};
-    if (report.between_bodies)
-      its["start_depth"] = report.start_depth;
-    else
-      its["force"] = {report.force.x, report.force.y, report.force.z};
+    if (report.between_bodies || report.start_depth > 0) its["start_depth"] = report.start_depth;
+    if (!report.between_bodies) its["force"] = {report.force.x, report.force.y, report.force.z};
     its["search"] = report.between_bodies ? search_of(report.search) : rigid_search_of(report.search);
     list.push_back(std::move(its));
   }

@@ -64,6 +64,7 @@ struct DeepNode {
 
 /// What lies behind a surface at the start.
 struct StartSides {
+  std::vector<double> depth;  ///< with half of the thickness [m]  [node_count of the mesh]
   DeepNode refused, any;
   DeepNode near;  ///< in front, but nearer than half a thickness; by how much
   bool some_in_front = false;
@@ -75,14 +76,16 @@ StartSides start_sides(const RigidSurface& surface, const SurfaceData& data, con
   const SurfaceShape<double> shape = data.shape();
   ClosestFacet closest(data);
   StartSides sides;
+  sides.depth.resize(mesh.X.size());
   for (const int n : nodes) {
     const Vec3<double> q = transposed_times(pose.turn, mesh.X[at(n)] - data.centre - pose.shift);
     const int facet = closest(q);
     const auto& triangle = data.facets[at(facet)].smooth;
     const double depth = shape.behind_facet(data.facets[at(facet)], q).depth;
     sides.any.add(n, depth);
-    if (const double half = half_thickness[at(n)]; half > 0 && !(depth > 0))
-      sides.near.add(n, shape.behind_facet(data.facets[at(facet)], q, half).depth);
+    const double half = half_thickness[at(n)];
+    sides.depth[at(n)] = half > 0 ? shape.behind_facet(data.facets[at(facet)], q, half).depth : depth;
+    if (half > 0 && !(depth > 0)) sides.near.add(n, sides.depth[at(n)]);
     if (data.closed[at(facet)] || depth < 4 * data.reach) sides.refused.add(n, depth);
     if (!(depth > 0) && dot(q - triangle.x[0], triangle.facet_normal()) >= 0) sides.some_in_front = true;
   }
@@ -91,10 +94,11 @@ StartSides start_sides(const RigidSurface& surface, const SurfaceData& data, con
 
 }  // namespace
 
-void refuse_overlap(const RigidSurface& surface, const SurfaceData& data, const std::vector<int>& nodes,
-                    const std::vector<double>& half_thickness, const Mesh& mesh) {
-  if (data.facets.empty()) return;
-  const StartSides sides = start_sides(surface, data, nodes, half_thickness, mesh);
+std::vector<double> start_depths(const RigidSurface& surface, const SurfaceData& data,
+                                 const std::vector<int>& nodes, const std::vector<double>& half_thickness,
+                                 const Mesh& mesh) {
+  if (data.facets.empty()) return std::vector<double>(mesh.X.size());
+  StartSides sides = start_sides(surface, data, nodes, half_thickness, mesh);
   const double most = 0.01 * data.reach;
   // the facets of a floor may be far larger than what stands on it
   const auto deep = [&](const DeepNode& its) {
@@ -117,6 +121,9 @@ void refuse_overlap(const RigidSurface& surface, const SurfaceData& data, const 
     refuse(sides.near,
            " too near to the surface: it is a node of a shell, which stays half of the thickness in front of "
            "it, so the first step would throw it out. Move the surface or the shell apart");
+  for (double& depth : sides.depth)
+    if (depth > most) depth = 0;  // far below an open surface, where nothing holds it
+  return std::move(sides.depth);
 }
 
 }  // namespace glisson::contact
