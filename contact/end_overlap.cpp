@@ -22,12 +22,9 @@ struct Lost {
   int point = -1, solid = -1;  ///< of the deepest one
   double depth = 0;            ///< its [m]
 
-  /// The depth is measured for the first ones only: it takes a look at the whole solid.
-  void add(SolidSearch& search, const Vec3<double>& p, int its_point, int its_solid) {
-    constexpr int most_measured = 100;
-    if (++count > most_measured) return;
-    const double d = search.distance(p, its_solid);
-    if (d > depth) *this = {count, its_point, its_solid, d};
+  void add(int its_point, int its_solid, double its_depth) {
+    ++count;
+    if (its_depth > depth) point = its_point, solid = its_solid, depth = its_depth;
   }
 };
 
@@ -56,10 +53,11 @@ void warn_of_bodies(const Model& model, const std::vector<Vec3<double>>& u, std:
       return mesh.sheet[at(t)] < 0 && solid[at(t)] != mesh.solid[at(k)];
     };
     const auto may_touch = [&](int its) { return rules.may_touch(region, its); };
-    for (const int other : search.around(x[at(k)], other_solid))
-      if (std::any_of(regions[other].begin(), regions[other].end(), may_touch) &&
-          !search.is_near(x[at(k)], other, deep))
-        lost.add(search, x[at(k)], k, other);
+    for (const int other : search.around(x[at(k)], other_solid)) {
+      if (std::none_of(regions[other].begin(), regions[other].end(), may_touch)) continue;
+      if (const double depth = search.nearest(x[at(k)], other).distance; depth > deep)
+        lost.add(k, other, depth);
+    }
   }
   if (lost.count == 0) return;
   to.push_back(
@@ -72,24 +70,11 @@ void warn_of_bodies(const Model& model, const std::vector<Vec3<double>>& u, std:
       "). The result is wrong there. Let them meet more slowly, or refine sharp edges");
 }
 
-/// Lower quartile, as of ContactMesh.
-double edge_length(const std::vector<Triangle>& triangles, const std::vector<Vec3<double>>& x) {
-  std::vector<double> lengths;
-  for (const auto& [a, b] : edges_of(triangles)) {
-    const auto d = x[at(a)] - x[at(b)];
-    lengths.push_back(std::sqrt(dot(d, d)));
-  }
-  const auto quarter = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4);
-  std::nth_element(lengths.begin(), quarter, lengths.end());
-  return *quarter;
-}
-
 /// Nodes of rigid surfaces in solids.
 void warn_of_surfaces(const Model& model, const std::vector<Vec3<double>>& u, double t,
                       std::vector<std::string>& to) {
   const auto triangles = split_facets(outer_surface(model.mesh), model.mesh.X);
   if (triangles.empty()) return;
-  const double deep = 0.2 * edge_length(triangles, model.mesh.X);
   std::vector<Vec3<double>> x = model.mesh.X;
   for (std::size_t n = 0; n < x.size(); ++n) x[n] = x[n] + u[n];
   SolidSearch search(triangles, std::vector<int>(triangles.size(), 0), x);
@@ -100,16 +85,17 @@ void warn_of_surfaces(const Model& model, const std::vector<Vec3<double>>& u, do
     for (std::size_t n = 0; n < surface.surface.X.size(); ++n) {
       const Vec3<double> p =
           times(pose.turn, surface.surface.X[n] - surface.centre) + pose.shift + surface.centre;
-      if (!search.around(p, [](int) { return true; }).empty() && !search.is_near(p, 0, deep))
-        lost.add(search, p, static_cast<int>(n), 0);
+      if (search.around(p, [](int) { return true; }).empty()) continue;
+      const auto [depth, edge] = search.nearest(p, 0);
+      if (depth > 0.2 * edge) lost.add(static_cast<int>(n), 0, depth);
     }
     if (lost.count == 0) continue;
-    to.push_back(surface.name + ": at the end " +
-                 count_text(lost.count, lost.count == 1 ? "node" : "of its nodes") + " deeper than " +
-                 number_text(deep) + " in the body (its node " + std::to_string(lost.point) + " by " +
-                 number_text(lost.depth) +
-                 "): it acts on nodes of the body only and went in between them. The result is wrong there. "
-                 "Refine the body's mesh there, or mesh the tool as a body whose nodes are all prescribed");
+    to.push_back(
+        surface.name + ": at the end " + count_text(lost.count, lost.count == 1 ? "node" : "of its nodes") +
+        " deeper in the body than a fifth of the body's facets there (its node " +
+        std::to_string(lost.point) + " by " + number_text(lost.depth) +
+        "): it acts on nodes of the body only and went in between them. Refine the body's mesh there, "
+        "or mesh the tool as a body whose nodes are all prescribed");
   }
 }
 
