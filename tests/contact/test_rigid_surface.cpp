@@ -5,6 +5,8 @@
 #include <glisson/core/mesh/surface.hpp>
 
 #include "tests/contact/surface_scene.hpp"
+#include "tests/support/cases.hpp"
+#include "tests/support/models.hpp"
 
 namespace glisson::contact {
 namespace {
@@ -270,7 +272,9 @@ TEST(SurfaceStart, WhatStartsALittleBehindComesOutEvenly) {
     while (!simulation->finished()) {
       simulation->step(5);
       for (const auto& v : simulation->velocity()) fastest = std::max(fastest, std::sqrt(dot(v, v)));
-      if (simulation->time() > 0.11) EXPECT_GT(simulation->displacement()[0].z, depth - 1e-5);
+      if (simulation->time() > 0.11) {
+        EXPECT_GT(simulation->displacement()[0].z, depth - 1e-5);
+      }
     }
     EXPECT_LT(fastest, 4 * depth / 0.1) << c.name;  // in one step: 0.2 m/s
   }
