@@ -142,10 +142,10 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     return left < 2 * motion_ * most_quiet_steps ? static_cast<int>(left / (2 * motion_)) : most_quiet_steps;
   }
   bool leaves_points() const { return listed_ && surface_.may_leave_points(); }
-  /// Candidates for nodes that move up to 3 such steps or `room` without another search.
+  /// Candidates for nodes that move some such steps or `room` without another search.
   void search(double motion) {
     const auto start = Clock::now();
-    room_ = std::max(distances_.room, 3 * motion);
+    room_ = std::max(distances_.room, distances_.steps * motion);
     surface_.mark();
     lists_.still_pushed(extra_);
     list(extra_);
