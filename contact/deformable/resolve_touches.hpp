@@ -102,8 +102,10 @@ struct ListPushes {
       if (!touches.used[slot]) continue;
       const Touch<R>& t = touches.found[slot];
       for (int m = 0; m < most_touch_nodes; ++m)
-        if (t.node[m] == nodes.nodes[i])
-          nodes.pushes[nodes.incident_begin[i] + nodes.push_count[i]] = push_of(i, t, m, slot);
+        if (t.node[m] == nodes.nodes[i]) {
+          const int place = nodes.incident_begin[i] + nodes.push_count[i];  // before it is counted
+          nodes.pushes[place] = push_of(i, t, m, slot);
+        }
     }
     end(i);
   }
