@@ -56,7 +56,7 @@ struct FindFacetTouch {
     Passage<R> passage;
     if (!(swept > R(0))) return passage;
     for (int i = 0; i < group.count; ++i)
-      if (group.near_box(i, swept)) find_passage(surface, node, group.facets[i], limits.slack, passage);
+      if (group.near(i, swept)) find_passage(surface, node, group.facets[i], limits.slack, passage);
     return passage;
   }
   GLISSON_HD void set_nodes(Touch<R>& t, int node, int facet, const R (&b)[3]) const {

@@ -8,6 +8,16 @@
 
 namespace glisson::contact {
 
+/// Whether p is nearer than `most` to the box of the triangle a b c along each axis; a mask for lanes.
+template <class L>
+GLISSON_HD auto near_box(const Vec3<L>& p, const Vec3<L>& a, const Vec3<L>& b, const Vec3<L>& c, L most) {
+  const auto near = [&](L at, L x, L y, L z) {
+    const L low = select(x < y, x, y), high = select(x > y, x, y);
+    return (at > select(low < z, low, z) - most) & (at < select(high > z, high, z) + most);
+  };
+  return near(p.x, a.x, b.x, c.x) & near(p.y, a.y, b.y, c.y) & near(p.z, a.z, b.z, c.z);
+}
+
 /// A point among facets of the surface; `bias` is added to the distance of each [m].
 template <class R>
 struct FacetsNear {
@@ -23,22 +33,13 @@ struct FacetsNear {
     return closest_on_triangle(p, corner(i, 0), corner(i, 1), corner(i, 2));
   }
   /// False where the facet's box is farther than `most`, which spares most of the distances.
-  GLISSON_HD bool near_box(int i, R most) const {
-    const Vec3<R> a = corner(i, 0), b = corner(i, 1), c = corner(i, 2);
-    return near_range(p.x, a.x, b.x, c.x, most) && near_range(p.y, a.y, b.y, c.y, most) &&
-           near_range(p.z, a.z, b.z, c.z, most);
+  GLISSON_HD bool near(int i, R most) const {
+    return near_box(p, corner(i, 0), corner(i, 1), corner(i, 2), most);
   }
   /// Outward, unit.
   GLISSON_HD Vec3<R> normal(int i) const {
     const Vec3<R> a = corner(i, 0);
     return unit_or(cross(corner(i, 1) - a, corner(i, 2) - a), Vec3<R>{});
-  }
-
- private:
-  GLISSON_HD static bool near_range(R p, R a, R b, R c, R most) {
-    const R low = a < b ? (a < c ? a : c) : (b < c ? b : c);
-    const R high = a > b ? (a > c ? a : c) : (b > c ? b : c);
-    return p > low - most && p < high + most;
   }
 };
 
@@ -63,11 +64,7 @@ struct FacetFeet {
   }
   /// Whether a facet's box is as near to p as `most`, less its bias.
   GLISSON_HD bool any_near(const Vec3<R>& p, R most) const {
-    const L away = L(most) - bias;
-    const auto near = near_range(L(p.x), corner[0].x, corner[1].x, corner[2].x, away) &
-                      near_range(L(p.y), corner[0].y, corner[1].y, corner[2].y, away) &
-                      near_range(L(p.z), corner[0].z, corner[1].z, corner[2].z, away);
-    return bits_of(near) != 0;
+    return bits_of(near_box({L(p.x), L(p.y), L(p.z)}, corner[0], corner[1], corner[2], L(most) - bias)) != 0;
   }
   GLISSON_HD void measure(const Vec3<R>& from) {
     const Vec3<L> p{L(from.x), L(from.y), L(from.z)};
@@ -78,14 +75,6 @@ struct FacetFeet {
     const L scale = one / square_root(select(squared > zero, squared, one));
     normal = select(squared > zero, scale, zero) * n;
   }
-
- private:
-  GLISSON_HD static auto near_range(L p, L a, L b, L c, L most) {
-    const L low = smaller(a, smaller(b, c)), high = larger(a, larger(b, c));
-    return (p > low - most) & (p < high + most);
-  }
-  GLISSON_HD static L smaller(L a, L b) { return select(a < b, a, b); }
-  GLISSON_HD static L larger(L a, L b) { return select(a > b, a, b); }
 };
 
 /// The facet with the least sum of distance and bias among those nearer than `reach`; of equal ones the
