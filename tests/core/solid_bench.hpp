@@ -129,11 +129,8 @@ inline Model cube(Formulation formulation, double jitter = 0.15) {
   return box_model({3, 3, 3}, {1, 1, 1}, formulation, {"NH", {mu, kappa}}, jitter);
 }
 
-template <class R_>
-class InBothPrecisions : public testing::Test {
- public:
-  using R = R_;
-};
+template <class R>
+class InBothPrecisions : public testing::Test {};
 using Precisions = testing::Types<float, double>;
 
 }  // namespace glisson::test
