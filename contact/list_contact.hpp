@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <glisson/contact/starting_behind.hpp>
 #include <glisson/core/contact_report.hpp>
 #include <glisson/core/loads/list_forces.hpp>
 #include <glisson/core/loads/node_list.hpp>
@@ -80,6 +81,7 @@ class ListContact : public ForceProvider<R>, public ContactSource {
       sum.node_count += static_cast<int>(part.node_count);
       sum.force = sum.force + part.force;
     }
+    sum.start_depth = start_.deepest();
     sum.search.candidates = count_;
     sum.search.seconds = seconds_;
     return sum;
@@ -124,13 +126,14 @@ class ListContact : public ForceProvider<R>, public ContactSource {
         },
         [](Vec4<R>&, const Vec4<R>&) {});
   }
-  ListContact(B& backend, std::string name, const Entries& entries)
+  ListContact(B& backend, std::string name, const Entries& entries, StartRelease<B, R> start)
       : backend_(backend),
         name_(std::move(name)),
         count_(static_cast<int>(entries.size())),
         nodes_(detail::upload(backend, detail::keys(entries))),
         X_(detail::upload(backend, values(entries))),
         last_(detail::zeros<Vec4<R>>(backend, entries.size())),
+        start_(std::move(start)),
         work_(backend, count_),
         parts_(detail::zeros<ContactPart>(backend, std::size_t(work_.chunk_count()))) {}
 
@@ -149,6 +152,7 @@ class ListContact : public ForceProvider<R>, public ContactSource {
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   int count() const { return count_; }
+  AllowedDepth<R> allowed_depth(double t) const { return start_.at(t); }
   const Vec4<R>* X() const { return X_.get(); }
   Vec4<R>* last() const { return last_.get(); }
 
@@ -164,6 +168,7 @@ class ListContact : public ForceProvider<R>, public ContactSource {
   int count_;
   Buffer<int> nodes_;
   Buffer<Vec4<R>> X_, last_;
+  StartRelease<B, R> start_;
   ListWork<B, R> work_;
   Buffer<ContactPart> parts_;
   double seconds_ = 0;

@@ -34,7 +34,7 @@ struct ContactReport {
   bool between_bodies = false;  ///< of deformable bodies; else of something rigid
   double depth = 0;          ///< largest penetration of the nodes [m]
   double largest_depth = 0;  ///< the same over the run [m]
-  double start_depth = 0;    ///< in the file already; 0 for analytic bodies [m]
+  double start_depth = 0;    ///< in the file already [m]
   int node_count = 0;        ///< nodes that were pushed; of deformable bodies: contacts that press
   Vec3<double> force;        ///< of a rigid body on the nodes [N]
   ContactSearchReport search;

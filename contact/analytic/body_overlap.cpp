@@ -24,17 +24,8 @@ Shape shape_of(const RigidMotion& motion) {
   return shape;
 }
 
-template <class Shape>
-void refuse_in(const Shape& shape, const RigidMotion& motion, const std::vector<int>& nodes,
-               const Mesh& mesh) {
-  double deepest = 0;
-  int worst = -1;
-  for (const int n : nodes)
-    if (const double depth = shape(from_reference(motion, n, mesh)).depth; depth > deepest) {
-      deepest = depth;
-      worst = n;
-    }
-  if (worst < 0 || !(deepest > 0.1 * shortest_edge_around(mesh, worst))) return;
+void refuse_deep(const RigidMotion& motion, int worst, double deepest, const Mesh& mesh) {
+  if (!(deepest > 0.1 * shortest_edge_around(mesh, worst))) return;
   const bool plate = motion.body().shape == RigidShape::plate;
   throw Error(ErrorKind::input,
               "node " + std::to_string(worst) + " starts " + number_text(deepest) +
@@ -59,8 +50,18 @@ void with_shape(const RigidMotion& motion, const Use& use) {
 
 }  // namespace
 
-void refuse_overlap(const RigidMotion& motion, const std::vector<int>& nodes, const Mesh& mesh) {
-  with_shape(motion, [&](const auto& shape) { refuse_in(shape, motion, nodes, mesh); });
+std::vector<double> start_depths(const RigidMotion& motion, const std::vector<int>& nodes, const Mesh& mesh) {
+  std::vector<double> depth(mesh.X.size());
+  int worst = -1;
+  with_shape(motion, [&](const auto& shape) {
+    for (const int n : nodes) {
+      double& its = depth[static_cast<std::size_t>(n)];
+      its = std::max(0.0, shape(from_reference(motion, n, mesh)).depth);
+      if (its > (worst < 0 ? 0 : depth[static_cast<std::size_t>(worst)])) worst = n;
+    }
+  });
+  if (worst >= 0) refuse_deep(motion, worst, depth[static_cast<std::size_t>(worst)], mesh);
+  return depth;
 }
 
 std::vector<double> gaps_to_keep(const RigidMotion& motion, const std::vector<int>& nodes,

@@ -24,10 +24,10 @@ std::vector<std::unique_ptr<ForceProvider<R>>> make_rigid_bodies(B& backend, con
   const auto add = [&]<class Shape>(const RigidBody& body, Shape) {
     const RigidMotion motion(body);
     const std::vector<int> nodes = candidate_nodes(body.nodes, model.mesh);
-    refuse_overlap(motion, nodes, model.mesh);
+    StartRelease<B, R> start(backend, start_depths(motion, nodes, model.mesh), nodes, numbering, model.time);
     const std::vector<double> gaps = gaps_to_keep(motion, nodes, half, model.mesh);
-    result.push_back(
-        std::make_unique<RigidContact<B, R, Shape>>(backend, motion, nodes, gaps, model.mesh, numbering));
+    result.push_back(std::make_unique<RigidContact<B, R, Shape>>(backend, motion, nodes, gaps,
+                                                                 std::move(start), model.mesh, numbering));
   };
   for (const RigidBody& body : model.bodies) switch (body.shape) {
       case RigidShape::plate:

@@ -21,9 +21,12 @@ struct ContactForce : LastForces<R> {
   const Vec4<R>* v;   ///< w: 1/mass [1/kg]                                                      [node_count]
   R advance_per_force;  ///< [s^2]
   RigidResponse<R> response;
+  AllowedDepth<R> allowed;
 
   GLISSON_HD Penetration<R> penetration(int i, int n) const {
-    return shape(xyz(X[i]) + xyz(to[n]) - shift, X[i].w);
+    Penetration<R> p = shape(xyz(X[i]) + xyz(to[n]) - shift, X[i].w);
+    p.depth -= allowed(i);
+    return p;
   }
   GLISSON_HD Vec3<R> force(int i, int n) const {
     const Penetration<R> p = penetration(i, n);
@@ -38,22 +41,34 @@ class RigidContact final : public ListContact<B, R> {
  public:
   /// gaps: that the nodes of the mesh keep [m]
   RigidContact(B& backend, RigidMotion motion, const std::vector<int>& nodes, const std::vector<double>& gaps,
-               const Mesh& mesh, const Numbering& numbering)
+               StartRelease<B, R> start, const Mesh& mesh, const Numbering& numbering)
       : ListContact<B, R>(backend, motion.body().name,
-                          ListContact<B, R>::entries_of(nodes, motion.reference(), mesh, numbering, gaps)),
+                          ListContact<B, R>::entries_of(nodes, motion.reference(), mesh, numbering, gaps),
+                          std::move(start)),
         motion_(std::move(motion)) {}
 
   void add_forces(const StepView<R>& step) override {
     if (this->count() == 0) return;
-    this->touch(step, rule(step, step.t, step.u), rule(step, this->end_of(step), step.u_predicted));
+    const double t = this->end_of(step);
+    ContactForce<R, Shape> next = rule(step, t, step.u_predicted);
+    next.allowed = this->allowed_depth(t);
+    this->touch(step, rule(step, step.t, step.u), next);
   }
 
  private:
   ContactForce<R, Shape> rule(const StepView<R>& step, double t, const Vec4<R>* to) const {
     const Vec3<double> begin = motion_.shift(step.t), end = motion_.shift(t);
-    ContactForce<R, Shape> result{
-        {this->last()}, {}, narrowed<R>(end), narrowed<R>(end - begin), this->X(),
-        step.u,         to, step.v,           step.advance_per_force,   {R(motion_.body().friction)}};
+    ContactForce<R, Shape> result{{this->last()},
+                                  {},
+                                  narrowed<R>(end),
+                                  narrowed<R>(end - begin),
+                                  this->X(),
+                                  step.u,
+                                  to,
+                                  step.v,
+                                  step.advance_per_force,
+                                  {R(motion_.body().friction)},
+                                  {}};
     shape_at(motion_, t, result.shape);
     return result;
   }

@@ -31,10 +31,11 @@ void add_rigid_surfaces(B& backend, const Model& model, const Numbering& numberi
   for (const RigidSurface& surface : model.surfaces) {
     const std::vector<int> nodes = candidate_nodes(surface.nodes, model.mesh);
     const SurfaceData data = surface_data(surface.surface, middle_of(nodes, model.mesh));
-    const StartingBehind start{start_depths(surface, data, nodes, half, model.mesh), 0.1 * model.time.total};
-    to.push_back(std::make_unique<SurfaceContact<B, R>>(
-        backend, surface, data, nodes, half, start, model.mesh, numbering,
-        surface.penalty ? 0 : surface.distance.value_or(close)));
+    StartRelease<B, R> start(backend, start_depths(surface, data, nodes, half, model.mesh), nodes, numbering,
+                             model.time);
+    to.push_back(std::make_unique<SurfaceContact<B, R>>(backend, surface, data, nodes, half, std::move(start),
+                                                        model.mesh, numbering,
+                                                        surface.penalty ? 0 : surface.distance.value_or(close)));
   }
 }
 

@@ -30,8 +30,7 @@ struct SurfaceForce : LastForces<R> {
   const Vec4<R>* v;     ///< w: 1/mass [1/kg]                                      [node_count]
   R advance_per_force;  ///< [s^2]
   RigidResponse<R> response;
-  const R* behind;  ///< how deep the nodes start behind the surface [m]  [entry_count]; null: they may not be
-  R behind_share;   ///< of that which they may still be
+  AllowedDepth<R> allowed;
   /// Of forces that were asked for last: nothing was near on the way of the node, nor at its beginning, so
   /// that a report need not look there again  [entry_count]
   unsigned char* far_off;
@@ -57,7 +56,7 @@ struct SurfaceForce : LastForces<R> {
     seen[i] = {q, around.clear, around.closest};
     far = around.far;
     p.depth -= response.close;
-    if (behind != nullptr) p.depth -= behind_share * behind[i];
+    p.depth -= allowed(i);
     return p;
   }
   GLISSON_HD Penetration<R> penetration(int i, int n) const {
@@ -98,60 +97,39 @@ Mat3<R> narrowed(const Mat3<double>& a) {
   return result;
 }
 
-/// What starts behind the surface comes out evenly: in one step it would leave with a speed that nothing has.
-struct StartingBehind {
-  std::vector<double> depth;  ///< [m]  [node_count of the mesh]
-  double until;               ///< from then on nothing may be behind [s]
-};
-
 template <Backend B, class R>
 class SurfaceContact final : public ListContact<B, R> {
  public:
   /// half_thickness: of shells at the nodes of the mesh; close: gap below which an approach is slowed [m]
   SurfaceContact(B& backend, const RigidSurface& surface, const SurfaceData& data,
                  const std::vector<int>& nodes, const std::vector<double>& half_thickness,
-                 const StartingBehind& start, const Mesh& mesh, const Numbering& numbering, double close)
+                 StartRelease<B, R> start, const Mesh& mesh, const Numbering& numbering, double close)
       : ListContact<B, R>(backend, surface.name,
-                          ListContact<B, R>::entries_of(nodes, data.centre, mesh, numbering, half_thickness)),
+                          ListContact<B, R>::entries_of(nodes, data.centre, mesh, numbering, half_thickness),
+                          std::move(start)),
         surface_(surface),
         centre_(data.centre),
         reach_(R(data.reach)),
         close_(R(close)),
-        start_depth_(*std::max_element(start.depth.begin(), start.depth.end())),
-        behind_until_(start_depth_ > 0 ? start.until : 0),
         node_count_(static_cast<int>(data.nodes.size())),
         far_off_(detail::zeros<unsigned char>(backend, nodes.size())),
         seen_(detail::zeros<SeenSurface<R>>(backend, nodes.size())),
         nodes_(detail::upload(backend, nodes_of_tree(data))),
-        facets_(detail::upload(backend, facets_of_surface(data))),
-        behind_(detail::upload(
-            backend, start_depth_ > 0 ? depths_of(nodes, start.depth, numbering) : std::vector<R>())) {}
+        facets_(detail::upload(backend, facets_of_surface(data))) {}
 
   void add_forces(const StepView<R>& step) override {
     if (this->count() == 0) return;
     SurfaceForce<R> next = rule(step, step.t, this->end_of(step), step.u_predicted);
-    if (const double t = this->end_of(step); t < behind_until_) {
-      next.behind = behind_.get();
-      next.behind_share = R(1 - t / behind_until_);
-    }
+    next.allowed = this->allowed_depth(this->end_of(step));
     this->touch(step, rule(step, step.t, step.t, step.u), next);
   }
   ContactReport report() const override {
     ContactReport report = ListContact<B, R>::report();
     report.search.volumes = node_count_;
-    report.start_depth = start_depth_;
     return report;
   }
 
  private:
-  static std::vector<R> depths_of(const std::vector<int>& nodes, const std::vector<double>& depth,
-                                  const Numbering& numbering) {
-    const auto by_node = detail::by_node<R>(
-        numbering, nodes, [&](std::size_t k) { return R(depth[std::size_t(nodes[k])]); }, [](R&, R) {});
-    std::vector<R> result;
-    for (const auto& [node, its] : by_node) result.push_back(its);
-    return result;
-  }
   static std::vector<SurfaceNode<R>> nodes_of_tree(const SurfaceData& data) {
     std::vector<SurfaceNode<R>> result;
     for (const auto& n : data.nodes)
@@ -189,8 +167,6 @@ class SurfaceContact final : public ListContact<B, R> {
     rule.v = step.v;
     rule.advance_per_force = step.advance_per_force;
     rule.response = {R(surface_.friction), R(surface_.penalty.value_or(1)), close_};
-    rule.behind = nullptr;
-    rule.behind_share = R(0);
     rule.far_off = far_off_.get();
     rule.seen = seen_.get();
     return rule;
@@ -199,13 +175,11 @@ class SurfaceContact final : public ListContact<B, R> {
   RigidSurface surface_;
   Vec3<double> centre_;  ///< of the nodes at rest, not of rotation: float keeps the digits of gaps [m]
   R reach_, close_;
-  double start_depth_, behind_until_;
   int node_count_;
   Buffer<unsigned char> far_off_;  ///< no state: set in each step before it is read
   Buffer<SeenSurface<R>> seen_;    ///< nor is this: it only spares looking where nothing can be
   Buffer<SurfaceNode<R>> nodes_;
   Buffer<SurfaceFacet<R>> facets_;
-  Buffer<R> behind_;
 };
 
 }  // namespace glisson::contact

@@ -114,6 +114,24 @@ RigidBody table() {  // front along +z at z = 0
   return plate;
 }
 
+/// At the surface at a tenth of the run, at the same speed all the way.
+TYPED_TEST(RigidContacts, ANodeThatStartsInsideComesOutEvenly) {
+  const double depth = 0.002;
+  Model model;
+  model.mesh.X = {{1, 1, -depth}};
+  model.bodies = {table()};
+  model.bodies[0].nodes = {0};
+  model.time.total = 1;
+  Scene<TypeParam> scene(model);
+  const double eps = scene.bench.tolerance();
+  for (int n = 1; n <= 20; ++n) {
+    scene.step(0.01);
+    EXPECT_NEAR(scene.position(0).z, depth * (0.1 * n - 1), eps) << n;
+    EXPECT_NEAR(scene.bench.v[0].z, 10 * depth, 200 * eps) << n;  // in one step: ten times as fast
+  }
+  EXPECT_NEAR(scene.report().start_depth, depth, eps);
+}
+
 TYPED_TEST(RigidContacts, ASlidingNodeStopsAfterItsStoppingDistance) {
   Model model;
   model.mesh.X = {{0.5, 1.3, 0}};
@@ -210,7 +228,8 @@ TYPED_TEST(RigidContacts, ReportGivesTheResultant) {
 
 TYPED_TEST(RigidContacts, RestartGivesTheSameBits) {
   Model model;
-  model.mesh.X = {{1, 1, 0.93}, {1, 2, 0.8}, {2, 1, 0.99}};
+  model.mesh.X = {{1, 1, 0.93}, {1, 2, 0.8}, {2, 1, 1.004}};
+  model.time.total = 8;  // the last node is behind the plate until 0.8
   model.bodies = {pressing_plate()};
   model.bodies[0].friction = 0.3;
   model.bodies[0].displacement.x = 0.1;
@@ -222,7 +241,7 @@ TEST(RigidContactInput, NodesThatStartDeepInABodyAreRefused) {
   const Mesh cube = box_mesh({1, 1, 1}, {1, 1, 1}, Shape::hexahedron);
   const auto refused = [&](const RigidBody& body) -> std::string {
     try {
-      refuse_overlap(RigidMotion(body), candidate_nodes({}, cube), cube);
+      start_depths(RigidMotion(body), candidate_nodes({}, cube), cube);
       return "";
     } catch (const Error& e) {
       EXPECT_EQ(e.kind(), ErrorKind::input);

@@ -5,8 +5,6 @@
 #include <glisson/core/mesh/surface.hpp>
 
 #include "tests/contact/surface_scene.hpp"
-#include "tests/support/cases.hpp"
-#include "tests/support/models.hpp"
 
 namespace glisson::contact {
 namespace {
@@ -252,32 +250,6 @@ TEST(SurfaceStart, NodesDeepInALargeFloorAreRefused) {
   EXPECT_FALSE(refused(0.002));
   EXPECT_TRUE(refused(0.003));
   EXPECT_TRUE(refused(0.06));
-}
-
-/// A block that floats with its lowest nodes 2 mm behind a floor is lifted at the speed at which the depth is
-/// taken back, not thrown.
-TEST(SurfaceStart, WhatStartsALittleBehindComesOutEvenly) {
-  for (const test::Case& c : {test::serial_double, test::threads_float, test::emulated_float}) {
-    Model model;
-    const double depth = 0.002;
-    Mesh mesh = box_mesh({4, 4, 4}, {0.1, 0.1, 0.1}, Shape::hexahedron);
-    for (auto& X : mesh.X) X = X + Vec3<double>{1, 1, -depth};
-    model.mesh = mesh;
-    model.sections = {test::section_of_all(mesh, Formulation::h8, {"NH", {1e4, 2e4}, 1000})};
-    model.surfaces = {floor_of(1)};
-    model.time.total = 1;
-    auto simulation = test::simulate(model, c);
-    EXPECT_NEAR(simulation->contacts().at(0).report.start_depth, depth, 1e-6);
-    double fastest = 0;
-    while (!simulation->finished()) {
-      simulation->step(5);
-      for (const auto& v : simulation->velocity()) fastest = std::max(fastest, std::sqrt(dot(v, v)));
-      if (simulation->time() > 0.11) {
-        EXPECT_GT(simulation->displacement()[0].z, depth - 1e-5);
-      }
-    }
-    EXPECT_LT(fastest, 4 * depth / 0.1) << c.name;  // in one step: 0.2 m/s
-  }
 }
 
 /// A body that lies wholly behind would be thrown to the front when it comes near: at any distance.
