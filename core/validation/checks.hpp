@@ -41,8 +41,10 @@ void check_friction(double friction, const std::string& where);
 /// A share in (0, 1], if there is one.
 void check_penalty(const PenaltyShare& share, const std::string& where);
 /// Friction and facets of rigid surfaces: corners that exist, area, at most two owners of an edge, one
-/// orientation.
+/// orientation, and what check_volumes asks for.
 void check_rigid_surfaces(const Model& model);
+/// What is closed has an inside, or an outside if its facets face inwards; needs facets that are fine.
+void check_volumes(const RigidSurface& surface, const std::string& where);
 /// Friction, distances, nodes and names of contact between deformable bodies.
 void check_deformable_contact(const Model& model, Warnings& warnings);
 void check_time(const Model& model, Warnings& warnings);

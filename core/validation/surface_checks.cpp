@@ -152,6 +152,7 @@ void check_rigid_surfaces(const Model& model) {
     for (std::size_t f = 0; f < s.surface.facets.size(); ++f) check(f);
     check_repeated(s, where);
     check_edges(s, where);
+    check_volumes(s, where);
   }
 }
 

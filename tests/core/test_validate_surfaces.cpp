@@ -130,6 +130,42 @@ TEST(ValidateSurfaces, EachDefectIsRefusedWithItsFacet) {
   }
 }
 
+/// Two layers of four triangles around a node each, `thickness` apart there, on one square border.
+void make_lens(RigidSurface& s, double thickness) {
+  s.surface.X = {{0, 0, -1}, {2, 0, -1}, {2, 2, -1}, {0, 2, -1}, {1, 1, -1}, {1, 1, -1 + thickness}};
+  facets(s).clear();
+  for (int a = 0; a < 4; ++a) {
+    facets(s).push_back({{(a + 1) % 4, a, 4, -1}});
+    facets(s).push_back({{a, (a + 1) % 4, 5, -1}});
+  }
+}
+
+/// A third of the thickness in the middle, against a thousandth of the facets' height of 1.
+TEST(ValidateSurfaces, AClosedSurfaceWithoutVolumeIsRefused) {
+  Model model = good_model();
+  RigidSurface& s = model.surfaces[0];
+  s.file = "sheet.xml";
+  s.facet_lines = {100, 101, 102, 103, 104, 105, 106, 107};
+  for (const double thickness : {0.0, 1e-9, 0.0029, -0.0029}) {
+    make_lens(s, thickness);
+    try {
+      validate(model);
+      ADD_FAILURE() << "accepted: " << thickness;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("hardly any volume"), std::string::npos) << error.what();
+      EXPECT_EQ(error.place().file, "sheet.xml");
+      EXPECT_EQ(error.place().line, 100);
+    }
+  }
+  for (const double thickness : {0.0031, -0.0031}) {
+    make_lens(s, thickness);
+    EXPECT_NO_THROW(validate(model)) << "thin, or around a flat cavity";
+  }
+  make_lens(s, 0);
+  facets(s).erase(facets(s).begin());
+  EXPECT_NO_THROW(validate(model)) << "open";
+}
+
 /// The line of the facet that is named last, in the file that it is from.
 TEST(ValidateSurfaces, FileAndLineOfTheFacetAreTold) {
   for (const Case& its : refused) {
