@@ -1,17 +1,75 @@
 #include <glisson/contact/rate_distance.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <glisson/contact/geometry/triangles.hpp>
+#include <glisson/core/base/error.hpp>
+#include <glisson/core/base/number_text.hpp>
 #include <glisson/core/mesh/surface.hpp>
 #include <glisson/core/mesh/triangles.hpp>
 
 namespace glisson::contact {
+namespace {
 
-double rate_distance_of(const Model& model) {
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Share of an edge length, as between deformable bodies.
+constexpr double farthest = 0.5;
+
+std::vector<Facet> facets_of_bodies(const Model& model) {
   std::vector<Facet> facets = outer_surface(model.mesh);
   for (const Facet& facet : facets_of(model.mesh.triangles)) facets.push_back(facet);
+  return facets;
+}
+
+/// Lower quartile of the facets that have one of the nodes, or of all if none is listed; infinite without any
+/// [m].
+double edge_length_at(const std::vector<int>& nodes, const Model& model) {
+  std::vector<bool> listed(model.mesh.X.size(), nodes.empty());
+  for (const int n : nodes) listed[at(n)] = true;
+  std::vector<double> lengths;
+  for (const Facet& facet : facets_of_bodies(model)) {
+    const auto begin = facet.nodes.begin(), end = begin + facet.node_count();
+    if (std::none_of(begin, end, [&](int n) { return listed[at(n)]; })) continue;
+    for (auto n = begin; n != end; ++n) {
+      const auto side = model.mesh.X[at(*n)] - model.mesh.X[at(n + 1 == end ? *begin : n[1])];
+      lengths.push_back(std::sqrt(dot(side, side)));
+    }
+  }
+  if (lengths.empty()) return std::numeric_limits<double>::infinity();
+  const auto quarter = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4);
+  std::nth_element(lengths.begin(), quarter, lengths.end());
+  return *quarter;
+}
+
+void refuse_far(double distance, const RigidSurface& surface, const Model& model) {
+  const double edge = edge_length_at(surface.nodes, model);
+  if (distance <= farthest * edge) return;
+  throw Error(ErrorKind::input,
+              "it slows approaches below " + number_text(distance) + " (RateConstraintDistance" +
+                  (surface.distance ? "" : " of SystemParams, by default ten times ContactSafetyMargin") +
+                  "), too much for surface edges of " + number_text(edge) +
+                  " of the body: it can be half of an edge. Make it smaller",
+              {"", 0, surface.name});
+}
+
+}  // namespace
+
+double rate_distance_of(const Model& model) {
+  const std::vector<Facet> facets = facets_of_bodies(model);
   if (facets.empty()) return 0;
   const TriangleSizes sizes = triangle_sizes(split_facets(facets, model.mesh.X), model.mesh.X);
   return rate_distance(sizes.smallest, sizes.largest);
+}
+
+double rate_distance_of(const RigidSurface& surface, const Model& model) {
+  if (surface.penalty) return 0;
+  const std::optional<double> told = surface.distance ? surface.distance : model.contact.distance;
+  if (!told) return rate_distance_of(model);
+  refuse_far(*told, surface, model);
+  return *told;
 }
 
 }  // namespace glisson::contact

@@ -12,4 +12,10 @@ constexpr double rate_distance(double smallest, double largest) { return 2.5e-4 
 /// The same of the outer facets of solids, membranes and shells; 0 without any [m]
 double rate_distance_of(const Model& model);
 
+/// That of a rigid surface [m]: its own, the run's or the mesh's; 0 with penalties. Throws Error(input) when
+/// it is more than half the edge length (lower quartile at rest) of the body's facets with a node that may
+/// touch the surface: nodes on the far side of a body that is one element thick would be slowed too, by a
+/// surface that the body itself keeps away from them.
+double rate_distance_of(const RigidSurface& surface, const Model& model);
+
 }  // namespace glisson::contact

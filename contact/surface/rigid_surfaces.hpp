@@ -27,7 +27,6 @@ void add_rigid_surfaces(B& backend, const Model& model, const Numbering& numberi
                         std::vector<std::unique_ptr<ForceProvider<R>>>& to) {
   if (model.surfaces.empty()) return;
   const std::vector<double> half = half_thickness_at_nodes(model);
-  const double close = model.contact.distance ? *model.contact.distance : rate_distance_of(model);
   for (const RigidSurface& surface : model.surfaces) {
     const std::vector<int> nodes = candidate_nodes(surface.nodes, model.mesh);
     const SurfaceData data = surface_data(surface.surface, middle_of(nodes, model.mesh));
@@ -35,7 +34,7 @@ void add_rigid_surfaces(B& backend, const Model& model, const Numbering& numberi
                              model.time);
     to.push_back(std::make_unique<SurfaceContact<B, R>>(backend, surface, data, nodes, half, std::move(start),
                                                         model.mesh, numbering,
-                                                        surface.penalty ? 0 : surface.distance.value_or(close)));
+                                                        rate_distance_of(surface, model)));
   }
 }
 

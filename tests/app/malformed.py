@@ -102,6 +102,7 @@ REPLACED = [
     ("contact_surface_away", "<SystemParams>", floor("0 2 1")),
     ("contact_surface_twice", "<SystemParams>", floor("0 1 2  0 2 1", 2)),
     ("contact_surface_thin", "<SystemParams>", floor("0 1 2  0 2 3  0 3 1  1 3 2", 4)),
+    ("contact_surface_far_rate", "<SystemParams>", floor("0 1 2", 1, "<RateConstraintDistance> 0.06 </RateConstraintDistance>")),
     ("contact_surface_friction", "<SystemParams>", floor("0 1 2", 1, "<FrictionCoefficient> -0.1 </FrictionCoefficient>")),
     ("contact_surface_poses", "<SystemParams>", floor("0 1 2", 1,
      '<Motion Type="Poses"><Table> 0 0 0 0 0 0 0  0 0 0 1 0 0 0 </Table></Motion>')),

@@ -252,6 +252,37 @@ TEST(SurfaceStart, NodesDeepInALargeFloorAreRefused) {
   EXPECT_TRUE(refused(0.06));
 }
 
+/// A block of one layer, 0.1 thick, with edges of 0.2 above a floor: slowed from farther away than half of
+/// its edges, its far side would be held too.
+TEST(SurfaceStart, RateDistancesAreBoundedByTheBodysEdges) {
+  Model model = model_of({}, floor_of(1));
+  model.mesh = box_mesh({4, 4, 1}, {0.8, 0.8, 0.1}, Shape::hexahedron);
+  const auto refused = [&]() -> std::string {
+    try {
+      EXPECT_EQ(rate_distance_of(model.surfaces[0], model),
+                model.surfaces[0].distance.value_or(*model.contact.distance));
+      return "";
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::input);
+      return e.what();
+    }
+  };
+  model.contact.distance = 0.099;
+  EXPECT_EQ(refused(), "");
+  model.contact.distance = 1;
+  EXPECT_NE(
+      refused().find("test surface: it slows approaches below 1 (RateConstraintDistance of SystemParams, "
+                     "by default ten times ContactSafetyMargin), too much for surface edges of 0.2"),
+      std::string::npos)
+      << refused();
+  model.surfaces[0].distance = 0.099;
+  EXPECT_EQ(refused(), "");
+  model.surfaces[0].distance = 0.101;
+  EXPECT_NE(refused().find("below 0.101 (RateConstraintDistance), too much"), std::string::npos) << refused();
+  model.surfaces[0].penalty = default_penalty;
+  EXPECT_EQ(rate_distance_of(model.surfaces[0], model), 0) << "penalties do not slow what is in front";
+}
+
 /// A body that lies wholly behind would be thrown to the front when it comes near: at any distance.
 TEST(SurfaceStart, SurfacesThatFaceAwayFromTheBodyAreRefused) {
   const RigidSurface floor = floor_of(), ball = surface_of(sphere({}, 1, 24, 32));
