@@ -13,13 +13,14 @@ constexpr Case emulated{"EmulatedFloat", "emulated", Precision::single_precision
 constexpr Case serial_float{"SerialFloat", "serial", Precision::single_precision};
 
 /// A block that comes down on another one by some 0.006 edge lengths a step.
-Model landing_block() {
+Model landing_block(Shape shape = Shape::hexahedron) {
   Model model;
   const Material rubber{"NH", mu_kappa(1e4, 0.3), 1000};
   add_body(model, box_mesh({6, 6, 2}, {0.06, 0.06, 0.02}, Shape::tetrahedron), Formulation::t4, rubber);
-  Mesh upper = box_mesh({4, 4, 2}, {0.04, 0.04, 0.02}, Shape::hexahedron);
+  Mesh upper = box_mesh({4, 4, 2}, {0.04, 0.04, 0.02}, shape);
   move(upper, {0.011, 0.012, 0.0202});
-  const Body block = add_body(model, upper, Formulation::h8, rubber);
+  const Body block =
+      add_body(model, upper, shape == Shape::hexahedron ? Formulation::h8 : Formulation::t4, rubber);
   model.initial_velocities.push_back({block.nodes(), {0.05, 0.02, -0.06}});
   model.contact.between_bodies = true;
   model.contact.friction = 0.3;
@@ -31,6 +32,14 @@ const ContactSearchReport& search_of(const std::vector<NamedContact>& contacts) 
   return contacts.back().report.search;
 }
 
+void expect_near(const AnySimulation& one, const AnySimulation& other, double tolerance) {
+  const auto a = one.displacement(), b = other.displacement();
+  for (std::size_t n = 0; n < a.size(); ++n) {
+    const auto apart = a[n] - b[n];
+    EXPECT_LT(std::sqrt(dot(apart, apart)), tolerance) << "node " << n;
+  }
+}
+
 TEST(ContactLooks, OfADeviceAreFewAndChangeNothingThatMatters) {
   const Model model = landing_block();
   auto device = simulate(model, emulated), host = simulate(model, serial_float);
@@ -40,17 +49,87 @@ TEST(ContactLooks, OfADeviceAreFewAndChangeNothingThatMatters) {
   EXPECT_LT(search_of(seldom).looks, 24);
   EXPECT_GT(search_of(seldom).searches, 1) << "nothing moved";
   EXPECT_NE(device->energies().contact, 0) << "nothing touched";
-  const auto a = device->displacement(), b = host->displacement();
-  for (std::size_t n = 0; n < a.size(); ++n) {
-    const auto apart = a[n] - b[n];
-    EXPECT_LT(std::sqrt(dot(apart, apart)), 1e-7) << "node " << n;
+  expect_near(*device, *host, 1e-7);
+}
+
+TEST(ContactLooks, OfADeviceGiveTetrahedraTheSamePlaces) {
+  const Model model = landing_block(Shape::tetrahedron);
+  auto device = simulate(model, {"EmulatedDouble", "emulated", Precision::double_precision}),
+       host = simulate(model, serial_double);
+  device->step(200), host->step(200);
+  EXPECT_GT(search_of(host->contacts()).searches, 3) << "nothing moved";
+  EXPECT_NE(host->energies().contact, 0) << "nothing touched";
+  expect_near(*device, *host, 1e-12);
+}
+
+/// A plate 0.6 edges over a block, both at rest until `start`.
+Model resting_plate(double start) {
+  Model model;
+  const Material soft{"NH", {2000, 20000}, 1000};
+  Mesh lower = box_mesh({5, 5, 2}, {0.05, 0.05, 0.02}, Shape::tetrahedron);
+  add_body(model, lower, Formulation::t4, soft);
+  Mesh upper = box_mesh({4, 4, 1}, {0.04, 0.04, 0.01}, Shape::tetrahedron);
+  move(upper, {0.0053, 0.0047, 0.026});
+  const Body plate = add_body(model, upper, Formulation::t4, soft);
+  std::vector<int> floor;
+  for (int n = 0; n < plate.first_node; ++n)
+    if (model.mesh.X[std::size_t(n)].z == 0) floor.push_back(n);
+  model.fixed.push_back({floor, 7});
+  model.contact.between_bodies = true;
+  model.time.total = start + 0.03;
+  return model;
+}
+double deepest_of(const Model& model) {
+  auto host = simulate(model, serial_float);
+  double deepest = 0;
+  while (!host->finished()) {
+    host->step(1);
+    deepest = std::max(deepest, host->contacts().back().report.largest_depth);
   }
+  EXPECT_NE(host->energies().contact, 0) << "nothing touched";
+  return deepest;
+}
+
+/// It jumps by 0.9 edges in one step, or starts with a fifth of the speed of sound, which presses it in
+/// deeper.
+TEST(ContactLooks, AHostSeesAToolThatStartsAllOfASudden) {
+  for (const auto& [time, share] : {std::pair{1e-4, 0.05}, {9e-3, 0.15}}) {
+    Model model = resting_plate(0.02);
+    std::vector<int> tool;
+    for (int n = 0; n < model.mesh.node_count(); ++n)
+      if (model.mesh.X[std::size_t(n)].z > 0.025) tool.push_back(n);
+    PrescribedDisplacement jump;
+    jump.nodes = tool;
+    jump.axes = 4;
+    jump.values = {-0.009};
+    jump.curve = {LoadShape::table, 0, 1, false, {{0.02, 0}, {0.02 + time, 1}}};
+    model.displacements.push_back(jump);
+    EXPECT_LT(deepest_of(model), share * 0.01) << time;
+  }
+}
+
+/// Four kilopascals on it.
+TEST(ContactLooks, AHostSeesWhatAForceStartsAllOfASudden) {
+  Model model = resting_plate(0.02);
+  std::vector<int> top;
+  for (int n = 0; n < model.mesh.node_count(); ++n)
+    if (model.mesh.X[std::size_t(n)].z > 0.035) top.push_back(n);
+  NodalForce push;
+  push.nodes = top;
+  push.axes = 4;
+  push.values = {-4000 * 0.04 * 0.04 / double(top.size())};
+  push.curve = {LoadShape::table, 0, 1, false, {{0.02, 0}, {0.0201, 1}, {0.025, 1}, {0.0251, 0}}};
+  model.forces.push_back(push);
+  EXPECT_LT(deepest_of(model), 0.15 * 0.01);
 }
 
 TEST(ContactLooks, AResumedRunLooksInTheSameSteps) {
   for (const int before : {6, 9, 13}) {
-    const auto [whole, resumed] = expect_same_bits_resumed(landing_block(), emulated, before, 16);
-    EXPECT_NE(whole->energies().contact, 0) << "nothing touched";
+    for (const Case& its : {emulated, serial_float}) {
+      const auto [whole, resumed] =
+          expect_same_bits_resumed(landing_block(Shape::tetrahedron), its, before, 16);
+      EXPECT_NE(whole->energies().contact, 0) << "nothing touched";
+    }
   }
 }
 
