@@ -12,6 +12,7 @@
 #include <glisson/contact/bvh/device_search.hpp>
 #include <glisson/contact/deformable/candidate_lists.hpp>
 #include <glisson/contact/deformable/contact_loops.hpp>
+#include <glisson/contact/deformable/prescribed_motion.hpp>
 #include <glisson/contact/deformable/start_overlap.hpp>
 #include <glisson/contact/deformable/surface_state.hpp>
 #include <glisson/core/base/number_text.hpp>
@@ -55,6 +56,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
         loops_(loops),
         pair_source_(pair_source(backend, mesh_, rules_, search_.hierarchy())),
         start_depth_(start_depth(mesh_, rules_, distances_, search_.hierarchy())),
+        prescribed_(model),
         surface_(backend, mesh_, model, numbering),
         lists_(backend, mesh_),
         work_(backend, mesh_.node_count()) {
@@ -133,13 +135,16 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
       search(motion_);
       drift = 0;
     }
-    steps_to_look_ = quiet_steps(room_ - drift);
+    steps_to_look_ = quiet_steps(step, room_ - drift);
   }
   /// Steps without a look, for which a device has to wait; hosts need none. Nor are there any where a node
-  /// could soon pass a facet unseen.
-  int quiet_steps(double left) const {
+  /// could soon pass a facet unseen, or where one is about to start whose motion is prescribed.
+  int quiet_steps(const StepView<R>& step, double left) const {
     if (B::space == Space::host || 8 * motion_ > distances_.reach) return 0;
-    return left < 2 * motion_ * most_quiet_steps ? static_cast<int>(left / (2 * motion_)) : most_quiet_steps;
+    int steps = most_quiet_steps;
+    if (left < 2 * motion_ * most_quiet_steps) steps = static_cast<int>(left / (2 * motion_));
+    while (steps > 0 && prescribed_.ahead(step.t_next, step.t_next - step.t, steps) > left) steps /= 2;
+    return steps;
   }
   bool leaves_points() const { return listed_ && surface_.may_leave_points(); }
   /// Candidates for nodes that move some such steps or `room` without another search.
@@ -227,6 +232,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   ContactLoops<R> loops_;
   PairSource pair_source_;
   double start_depth_;
+  PrescribedMotion prescribed_;
   SurfaceState<B, R> surface_;
   CandidateLists<B, R> lists_;
   ListWork<B, R> work_;

@@ -1,0 +1,39 @@
+// How far nodes whose displacement is prescribed will go: the only motion that is known ahead.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <glisson/core/model.hpp>
+
+namespace glisson::contact {
+
+class PrescribedMotion {
+ public:
+  explicit PrescribedMotion(const Model& model) {
+    for (const PrescribedDisplacement& its : model.displacements) {
+      double most = 0;
+      for (const double value : its.values) most = std::max(most, std::abs(value));
+      lists_.push_back({std::sqrt(3.0) * most, its.curve});  // on three axes at most
+    }
+  }
+  /// No node is farther in any of the next `steps` steps of dt than this from where it is at t [m]. Several
+  /// lists may move one node.
+  double ahead(double t, double dt, int steps) const {
+    double sum = 0;
+    for (const auto& [most, curve] : lists_) {
+      const double now = curve(t);
+      double change = 0;
+      for (int k = 1; k <= steps; ++k) change = std::max(change, std::abs(curve(t + k * dt) - now));
+      sum += most * change;
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<std::pair<double, LoadCurve>> lists_;  ///< largest displacement at amplitude 1 [m]
+};
+
+}  // namespace glisson::contact
