@@ -1,4 +1,4 @@
-// How far nodes whose displacement is prescribed will go: the only motion that is known ahead.
+// How far nodes whose displacement is prescribed will go, which is known ahead.
 #pragma once
 
 #include <algorithm>
