@@ -1,6 +1,8 @@
 // The gap below which contact slows an approach, for surfaces that leave it to the mesh.
 #pragma once
 
+#include <vector>
+
 #include <glisson/core/model.hpp>
 
 namespace glisson::contact {
@@ -9,13 +11,11 @@ namespace glisson::contact {
 /// facet over its longest edge [m]
 constexpr double rate_distance(double smallest, double largest) { return 2.5e-4 * (smallest + largest); }
 
-/// The same of the outer facets of solids, membranes and shells; 0 without any [m]
-double rate_distance_of(const Model& model);
-
-/// That of a rigid surface [m]: its own, the run's or the mesh's; 0 with penalties. Throws Error(input) when
-/// it is more than half the edge length (lower quartile at rest) of the body's facets with a node that may
-/// touch the surface: nodes on the far side of a body that is one element thick would be slowed too, by a
-/// surface that the body itself keeps away from them.
-double rate_distance_of(const RigidSurface& surface, const Model& model);
+/// Those of the rigid surfaces [m]: their own, the run's or that of the outer facets of solids, membranes and
+/// shells; 0 with penalties  [surfaces]. Throws Error(input) when one is more than half the edge length
+/// (lower quartile at rest) of the body's facets with a node that may touch the surface: nodes on the far
+/// side of a body that is one element thick would be slowed too, by a surface that the body itself keeps away
+/// from them.
+std::vector<double> rate_distances(const Model& model);
 
 }  // namespace glisson::contact

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include <glisson/contact/deformable/side_normal.hpp>
+#include <glisson/contact/geometry/lower_quartile.hpp>
 #include <glisson/core/base/error.hpp>
 
 namespace glisson::contact {
@@ -219,9 +221,7 @@ void set_edge_length(ContactMesh& mesh) {
     const auto d = mesh.X[at(e.node[1])] - mesh.X[at(e.node[0])];
     lengths.push_back(std::sqrt(dot(d, d)));
   }
-  const auto quarter = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4);
-  std::nth_element(lengths.begin(), quarter, lengths.end());
-  mesh.edge_length = *quarter;
+  mesh.edge_length = lower_quartile(std::move(lengths));
 }
 
 void set_touching_nodes(ContactMesh& mesh, const Model& model) {

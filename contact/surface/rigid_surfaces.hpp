@@ -27,14 +27,15 @@ void add_rigid_surfaces(B& backend, const Model& model, const Numbering& numberi
                         std::vector<std::unique_ptr<ForceProvider<R>>>& to) {
   if (model.surfaces.empty()) return;
   const std::vector<double> half = half_thickness_at_nodes(model);
-  for (const RigidSurface& surface : model.surfaces) {
+  const std::vector<double> close = rate_distances(model);
+  for (std::size_t s = 0; s < model.surfaces.size(); ++s) {
+    const RigidSurface& surface = model.surfaces[s];
     const std::vector<int> nodes = candidate_nodes(surface.nodes, model.mesh);
     const SurfaceData data = surface_data(surface.surface, middle_of(nodes, model.mesh));
     StartRelease<B, R> start(backend, start_depths(surface, data, nodes, half, model.mesh), nodes, numbering,
                              model.time);
     to.push_back(std::make_unique<SurfaceContact<B, R>>(backend, surface, data, nodes, half, std::move(start),
-                                                        model.mesh, numbering,
-                                                        rate_distance_of(surface, model)));
+                                                        model.mesh, numbering, close[s]));
   }
 }
 

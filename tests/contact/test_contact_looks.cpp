@@ -79,6 +79,12 @@ Model resting_plate(double start) {
   model.time.total = start + 0.03;
   return model;
 }
+std::vector<int> nodes_above(double z, const Model& model) {
+  std::vector<int> nodes;
+  for (int n = 0; n < model.mesh.node_count(); ++n)
+    if (model.mesh.X[std::size_t(n)].z > z) nodes.push_back(n);
+  return nodes;
+}
 double deepest_of(const Model& model, const Case& its) {
   auto simulation = simulate(model, its);
   while (!simulation->finished()) simulation->step(1);
@@ -91,11 +97,8 @@ double deepest_of(const Model& model, const Case& its) {
 TEST(ContactLooks, SeeAToolThatStartsAllOfASudden) {
   for (const auto& [time, share] : {std::pair{1e-4, 0.05}, {9e-3, 0.15}}) {
     Model model = resting_plate(0.02);
-    std::vector<int> tool;
-    for (int n = 0; n < model.mesh.node_count(); ++n)
-      if (model.mesh.X[std::size_t(n)].z > 0.025) tool.push_back(n);
     PrescribedDisplacement jump;
-    jump.nodes = tool;
+    jump.nodes = nodes_above(0.025, model);
     jump.axes = 4;
     jump.values = {-0.009};
     jump.curve = {LoadShape::table, 0, 1, false, {{0.02, 0}, {0.02 + time, 1}}};
@@ -108,13 +111,10 @@ TEST(ContactLooks, SeeAToolThatStartsAllOfASudden) {
 /// Four kilopascals on it. Devices can lose it: see doc/contact.md.
 TEST(ContactLooks, OfAHostSeeWhatAForceStartsAllOfASudden) {
   Model model = resting_plate(0.02);
-  std::vector<int> top;
-  for (int n = 0; n < model.mesh.node_count(); ++n)
-    if (model.mesh.X[std::size_t(n)].z > 0.035) top.push_back(n);
   NodalForce push;
-  push.nodes = top;
+  push.nodes = nodes_above(0.035, model);
   push.axes = 4;
-  push.values = {-4000 * 0.04 * 0.04 / double(top.size())};
+  push.values = {-4000 * 0.04 * 0.04 / double(push.nodes.size())};
   push.curve = {LoadShape::table, 0, 1, false, {{0.02, 0}, {0.0201, 1}, {0.025, 1}, {0.0251, 0}}};
   model.forces.push_back(push);
   EXPECT_LT(deepest_of(model, serial_float), 0.15 * 0.01);

@@ -259,8 +259,7 @@ TEST(SurfaceStart, RateDistancesAreBoundedByTheBodysEdges) {
   model.mesh = box_mesh({4, 4, 1}, {0.8, 0.8, 0.1}, Shape::hexahedron);
   const auto refused = [&]() -> std::string {
     try {
-      EXPECT_EQ(rate_distance_of(model.surfaces[0], model),
-                model.surfaces[0].distance.value_or(*model.contact.distance));
+      EXPECT_EQ(rate_distances(model)[0], model.surfaces[0].distance.value_or(*model.contact.distance));
       return "";
     } catch (const Error& e) {
       EXPECT_EQ(e.kind(), ErrorKind::input);
@@ -280,7 +279,7 @@ TEST(SurfaceStart, RateDistancesAreBoundedByTheBodysEdges) {
   model.surfaces[0].distance = 0.101;
   EXPECT_NE(refused().find("below 0.101 (RateConstraintDistance), too much"), std::string::npos) << refused();
   model.surfaces[0].penalty = default_penalty;
-  EXPECT_EQ(rate_distance_of(model.surfaces[0], model), 0) << "penalties do not slow what is in front";
+  EXPECT_EQ(rate_distances(model)[0], 0) << "penalties do not slow what is in front";
 }
 
 /// A body that lies wholly behind would be thrown to the front when it comes near: at any distance.
