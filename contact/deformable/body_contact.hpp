@@ -192,14 +192,16 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
         const DealtTouches<R> dealt = lists_.dealt(loop.team_size, &touch_count_);
         DealtCounts count;
         loop(loop.team_size, DealTouches<R>{list, dealt, &count});
-        loop(count.touches, StartPressing<R>{touches, dealt.slots, nodes.entry, nodes.share});
+        loop(count.packs() * touches_abreast,
+             StartPressing<R>{touches, dealt.slots, nodes.entry, dealt.place, nodes.share});
         iterate(touches, nodes, [&](const PushTouches<R>& push, const MovePushed<R>& move) {
-          loop_ranged(loop, count.touches, push, loops_.push);
+          loop_ranged(loop, count.packs(), PushDealt<R>{push.template with_lanes<FacetLanes<R>>()},
+                      loops_.push);
           loop_ranged(loop, loop.team_size, MoveDealt<R>{move, dealt, count}, loops_.move);
         });
       } else {
         loop(lists_.node_count(), list);
-        loop(lists_.slots(), StartPressing<R>{touches, nullptr, nodes.entry, nodes.share});
+        loop(lists_.slots(), StartPressing<R>{touches, nullptr, nodes.entry, nodes.entry, nodes.share});
         iterate(touches, nodes, [&](const PushTouches<R>& push, const MovePushed<R>& move) {
           loop(lists_.slots(), push);
           loop(lists_.node_count(), move);

@@ -27,12 +27,13 @@ class CandidateLists {
         push_count_(backend),
         dealt_slots_(backend),
         dealt_pushed_(backend),
+        dealt_end_(backend),
         pushes_(backend),
+        dealt_found_(backend),
         share_(backend),
         mobility_(backend),
         guess_(backend),
         moved_(backend),
-        sum_(backend),
         push_(backend),
         bias_(backend),
         friction_(backend),
@@ -42,6 +43,7 @@ class CandidateLists {
         pressing_(backend),
         rubbing_(backend),
         entry_of_(detail::zeros<int>(backend, mesh.nodes.size())),
+        place_of_(detail::zeros<int>(backend, mesh.nodes.size())),
         deepest_(detail::zeros<R>(backend, mesh.nodes.size())),
         force_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
         last_(detail::zeros<Vec4<R>>(backend, mesh.nodes.size())),
@@ -94,15 +96,16 @@ class CandidateLists {
             limits};
   }
   PushedNodes<R> pushed() const {
-    return {nodes_.get(),      entry_of_.get(), incident_begin_.get(), incident_.get(), pushes_.get(),
-            push_count_.get(), share_.get(),    mobility_.get(),       guess_.get(),    moved_.get(),
-            sum_.get(),        deepest_.get(),  force_.get()};
+    return {nodes_.get(),  entry_of_.get(),   incident_begin_.get(), incident_.get(),
+            pushes_.get(), push_count_.get(), share_.get(),          mobility_.get(),
+            guess_.get(),  moved_.get(),      deepest_.get(),        force_.get()};
   }
   PressingTouches<R> pressing(bool rub) const {
     return {touches_.get(), used_.get(), pressing_.get(), rub ? rubbing_.get() : nullptr, push_.get()};
   }
   DealtTouches<R> dealt(int part_count, int* touch_count) const {
-    return {dealt_slots_.get(), dealt_pushed_.get(), touch_count, part_count, node_count(), slots_};
+    return {dealt_slots_.get(), touch_count, dealt_pushed_.get(), place_of_.get(), dealt_end_.get(),
+            dealt_found_.get(), part_count,  node_count(),        slots_};
   }
   FoundForce<R> found_force() const { return {nodes_.get(), force_.get(), last_.get()}; }
   /// What the next step needs to know of each slot.
@@ -211,14 +214,15 @@ class CandidateLists {
     incident_begin_.put(host_begin_);
     incident_.put(found.incident);
     pushes_.resize(found.incident.size());
-    dealt_slots_.resize(std::size_t(slots_));
-    push_.resize(std::size_t(slots_));
-    pressing_.resize(std::size_t(slots_));
-    rubbing_.resize(std::size_t(slots_));
-    for (auto* by_entry : {&push_count_, &dealt_pushed_}) by_entry->resize(host_nodes_.size());
+    if (B::space == Space::host) dealt_found_.resize(found.incident.size());
+    const std::size_t packs = (std::size_t(slots_) + touches_abreast - 1) / touches_abreast;
+    dealt_slots_.resize(packs * touches_abreast);
+    push_.resize(packs * touches_abreast);
+    pressing_.resize(packs);
+    rubbing_.resize(packs);
+    for (auto* by_entry : {&push_count_, &dealt_pushed_, &dealt_end_}) by_entry->resize(host_nodes_.size());
     share_.resize(host_nodes_.size());
     for (auto* rows : {&mobility_, &guess_, &moved_}) rows->resize(host_nodes_.size());
-    sum_.put(std::vector<Vec4<R>>(host_nodes_.size()));
     host_entry_.assign(host_.size(), 0);
     for (std::size_t e = 0; e < host_nodes_.size(); ++e)
       host_entry_[std::size_t(host_nodes_[e])] = static_cast<int>(e);
@@ -230,16 +234,17 @@ class CandidateLists {
   std::int64_t candidates_ = 0;
   Buffer<EdgeCorners> edges_;
   Resizable<B, int> group_node_, group_begin_, facets_, pairs_, nodes_, internal_, incident_begin_, incident_,
-      push_count_, dealt_slots_, dealt_pushed_;
+      push_count_, dealt_slots_, dealt_pushed_, dealt_end_;
   Resizable<B, Push<R>> pushes_;
+  Resizable<B, DealtPush<R>> dealt_found_;
   Resizable<B, R> share_;
-  Resizable<B, Vec4<R>> mobility_, guess_, moved_, sum_, push_;
+  Resizable<B, Vec4<R>> mobility_, guess_, moved_, push_;
   Resizable<B, R> bias_, friction_, entry_;
   Resizable<B, Touch<R>> touches_;
   Resizable<B, unsigned char> used_;
-  Resizable<B, PressingTouch<R>> pressing_;
-  Resizable<B, RubbingTouch<R>> rubbing_;
-  Buffer<int> entry_of_;  ///< [surface nodes], like those below
+  Resizable<B, PressingPack<R>> pressing_;
+  Resizable<B, RubbingPack<R>> rubbing_;
+  Buffer<int> entry_of_, place_of_;  ///< [surface nodes], like those below
   Buffer<R> deepest_;
   Buffer<Vec4<R>> force_, last_;
   std::vector<Vec4<R>> host_;

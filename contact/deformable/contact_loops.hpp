@@ -15,7 +15,7 @@ template <class R>
 struct ContactLoops {
   const char* set = nullptr;  ///< name of the instruction set
   BodyRange<FindFacetTouch<R>> find_facets = nullptr;
-  BodyRange<PushTouches<R>> push = nullptr;
+  BodyRange<PushDealt<R>> push = nullptr;
   BodyRange<MoveDealt<R>> move = nullptr;
 };
 

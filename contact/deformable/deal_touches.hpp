@@ -1,17 +1,28 @@
 // The touches of a step dealt out to the threads of a host: few, who each go through all that are used. What
-// the iterations read then lies without gaps.
+// the iterations read then lies without gaps, and touches are pushed a pack at a time.
 #pragma once
 
 #include <glisson/contact/deformable/resolve_touches.hpp>
 
 namespace glisson::contact {
 
-/// What each thread writes for the entries of its part.
+/// A push on an entry.
+template <class R>
+struct DealtPush {
+  int entry;
+  Push<R> push;
+};
+
+/// What each thread writes for the entries of its part. Those that something pushes get places, from the
+/// first entry of the part on, where lies what the iterations read of them.
 template <class R>
 struct DealtTouches {
-  int* slots;        ///< of the touches that are used, rising      [slots]
-  int* pushed;       ///< entries that something pushes, by part    [entries]
-  int* touch_count;  ///< how many are used
+  int* slots;           ///< of the touches that are used, rising; the last fills up its pack  [slots]
+  int* touch_count;     ///< how many are used
+  int* pushed;          ///< entry of each place                                  [entries]
+  int* place;           ///< the other way round                                  [surface nodes]
+  int* push_end;        ///< where the pushes of each place end, in those of the part  [entries]
+  DealtPush<R>* found;  ///< pushes in the order of the touches, by part          [incident]
   int part_count, entry_count, slot_count;
 
   int first_entry(int part) const { return static_cast<int>(1LL * entry_count * part / part_count); }
@@ -19,10 +30,11 @@ struct DealtTouches {
 /// How many a thread has found: touches of all parts, and pushes and pushed entries of its own.
 struct DealtCounts {
   int touches = 0, pushes = 0, pushed = 0;
+
+  int packs() const { return (touches + touches_abreast - 1) / touches_abreast; }
 };
 
-/// Does what ListPushes does for the entries of a part, but for those that nothing pushes, and leaves the
-/// pushes in the order of the touches.
+/// Does what ListPushes does for the entries of a part, but for those that nothing pushes.
 template <class R>
 struct DealTouches : ListPushes<R> {
   static constexpr int cost = 10000;
@@ -39,28 +51,60 @@ struct DealTouches : ListPushes<R> {
       deal(c, first, end, count);
       ++count.touches;
     }
-    for (int j = 0; j < count.pushed; ++j) this->end(dealt.pushed[first + j]);
-    if (part == 0) *dealt.touch_count = count.touches;
+    sort_pushes(first, count);
+    if (part == 0) end_slots(count);
     *counts = count;
   }
 
  private:
   void deal(int slot, int first, int end, DealtCounts& count) const {
     const Touch<R>& t = this->touches.found[slot];
-    Push<R>* pushes = this->nodes.pushes + this->nodes.incident_begin[first];
+    DealtPush<R>* pushes = dealt.found + this->nodes.incident_begin[first];
     for (int m = 0; m < most_touch_nodes && t.node[m] >= 0; ++m) {
       const int i = this->nodes.entry[t.node[m]];
       if (i < first || i >= end) continue;
       if (this->nodes.push_count[i] == 0) {
-        this->start(i);
-        dealt.pushed[first + count.pushed++] = i;
+        const int place = first + count.pushed++;
+        dealt.pushed[place] = i;
+        dealt.place[t.node[m]] = place;
+        this->start(i, place);
       }
-      pushes[count.pushes++] = this->push_of(i, t, m, count.touches);
+      pushes[count.pushes++] = {i, this->push_of(i, t, m, count.touches)};
     }
+  }
+  /// By place, those of each in the order of the touches.
+  void sort_pushes(int first, const DealtCounts& count) const {
+    const int begin = this->nodes.incident_begin[first];
+    int end = 0;
+    for (int place = first; place < first + count.pushed; ++place) {
+      const int i = dealt.pushed[place], its = this->nodes.push_count[i];
+      this->end(i);
+      this->nodes.push_count[i] = end;  // from here on: where its next one belongs
+      end += its;
+      dealt.push_end[place] = end;
+    }
+    for (const DealtPush<R>*p = dealt.found + begin, *last = p + count.pushes; p != last; ++p)
+      this->nodes.pushes[begin + this->nodes.push_count[p->entry]++] = p->push;
+  }
+  void end_slots(const DealtCounts& count) const {
+    *dealt.touch_count = count.touches;
+    for (int c = count.touches; c < count.packs() * touches_abreast; ++c)
+      dealt.slots[c] = dealt.slots[count.touches - 1];
   }
 };
 
-/// MovePushed for the entries of a part that something pushes. Each gets its pushes in the same order.
+/// PushTouches a pack at a time.
+template <class R, class L = FacetLanes<R>>
+struct PushDealt : PushTouches<R, L> {
+  static constexpr int cost = PushTouches<R>::cost * touches_abreast;
+
+  void operator()(int pack) const {
+    const int first = pack * touches_abreast;
+    for (int l = 0; l < touches_abreast; l += lane_count<L>) PushTouches<R, L>::operator()(first + l);
+  }
+};
+
+/// MovePushed for the places of a part.
 template <class R>
 struct MoveDealt : MovePushed<R> {
   static constexpr int cost = 10000;
@@ -69,16 +113,11 @@ struct MoveDealt : MovePushed<R> {
 
   void operator()(int part) const {
     const int first = dealt.first_entry(part);
-    const Push<R>* pushes = this->nodes.pushes + this->nodes.incident_begin[first];
-    Vec4<R>* sum = this->nodes.sum;
-    for (int j = 0; j < count.pushes; ++j) {
-      const Push<R>& p = pushes[j];
-      sum[p.entry] = (Row<R>::of(sum[p.entry]) + p.weight * Row<R>::of(this->push[p.touch])).value();
-    }
-    for (int j = 0; j < count.pushed; ++j) {
-      const int i = dealt.pushed[first + j];
-      this->move(i, Row<R>::of(sum[i]));
-      sum[i] = {};
+    const Push<R>*pushes = this->nodes.pushes + this->nodes.incident_begin[first], *its = pushes;
+    for (int place = first; place < first + count.pushed; ++place) {
+      const Push<R>* end = pushes + dealt.push_end[place];
+      this->move(dealt.pushed[place], place, its, end);
+      its = end;
     }
   }
 };

@@ -19,55 +19,21 @@
 // the critical one for a mass that hits something rigid.
 #pragma once
 
+#include <glisson/contact/deformable/push_touches.hpp>
 #include <glisson/contact/deformable/surface_view.hpp>
-#include <glisson/contact/deformable/touch.hpp>
-#include <glisson/contact/geometry/row.hpp>
 
 namespace glisson::contact {
-
-/// A touch that something has to be done about, as the iterations need it. Corners that it lacks name the
-/// first one with weight 0, but for the last.
-template <class R>
-struct alignas(16) PressingTouch {
-  Vec4<R> normal;               ///< unit, w is 0
-  int entry[most_touch_nodes];  ///< of PushedNodes; the last is -1 but for quadrilaterals, the first of no
-                                ///< touch
-  R weight[most_touch_nodes];   ///< [-]
-  R missing;                    ///< target less gap if contact pushes as in the last step [m]
-  R gain;                       ///< force per gap that is missing [N/m]
-  R pressing;                   ///< the multiplier lambda [N]
-  R pressing_ahead;             ///< the same extrapolated along the last change [N]
-  int slot;
-};
-/// Its friction.
-template <class R>
-struct RubbingTouch {
-  R friction;             ///< [-]
-  Vec3<R> slip;           ///< tangential motion if contact pushes as in the last step [m]
-  Vec3<R> rubbing;        ///< force [N]
-  Vec3<R> rubbing_ahead;  ///< the same extrapolated [N]
-};
 
 /// What a touch has in the force on a node.
 template <class R>
 struct Push {
-  int touch, entry;
+  int touch;
   R weight;  ///< of the node in it [-]
 };
 
-/// The touches of a step. On hosts only those that are used, in the order of their slots; on devices, which
-/// would have to wait to know how many these are, one for each slot.
-template <class R>
-struct PressingTouches {
-  const Touch<R>* found;      ///< [slots]
-  const unsigned char* used;  ///< [slots]
-  PressingTouch<R>* pressing;
-  RubbingTouch<R>* rubbing;  ///< null: nothing rubs
-  Vec4<R>* push;             ///< on the side of weight > 0 [N]
-};
-
 /// Nodes of the present candidates and the touches that push each. What the iterations go through again and
-/// again lies by entry, in the order of the entries: threads then share no cache line but at their borders.
+/// again lies by place, in the order of the entries: threads then share no cache line but at their borders.
+/// The place of an entry is the entry itself on devices, that of DealtTouches on hosts.
 template <class R>
 struct PushedNodes {
   const int* nodes;           ///< of the surface                          [count]
@@ -77,10 +43,9 @@ struct PushedNodes {
   Push<R>* pushes;            ///< those that do                           [incident]
   int* push_count;            ///<                                         [count]
   R* share;                   ///< motion by a unit force in each contact [m/N]  [count]
-  Vec4<R>* mobility;          ///< motion by a unit force along each axis [m/N]  [count]
-  Vec4<R>* guess;             ///< of SurfaceView [m]                            [count]
-  Vec4<R>* moved;             ///< by contact in this step less what it was in the last one [m]  [count]
-  Vec4<R>* sum;               ///< of hosts, 0 between the loops [N]             [count]
+  Vec4<R>* mobility;          ///< motion by a unit force along each axis [m/N]  [places]
+  Vec4<R>* guess;             ///< of SurfaceView [m]                            [places]
+  Vec4<R>* moved;             ///< by contact in this step less what it was in the last one [m]  [places]
   R* deepest;                 ///< deepest it was behind a facet since the start [m]  [surface nodes]
   Vec4<R>* force;             ///< [N]                                               [surface nodes]
 };
@@ -96,7 +61,7 @@ struct ListPushes {
 
   GLISSON_HD void operator()(int i) const {
     clear(i);
-    start(i);
+    start(i, i);
     for (int j = nodes.incident_begin[i]; j < nodes.incident_begin[i + 1]; ++j) {
       const int slot = nodes.incident[j];
       if (!touches.used[slot]) continue;
@@ -115,12 +80,12 @@ struct ListPushes {
     nodes.force[nodes.nodes[i]] = {};
     nodes.push_count[i] = 0;
   }
-  GLISSON_HD void start(int i) const {
+  GLISSON_HD void start(int i, int place) const {
     const int k = nodes.nodes[i];
     const Vec3<R> guess = xyz(surface.guess[k]), mobility = surface.moved_by(k, {R(1), R(1), R(1), R(0)});
-    nodes.guess[i] = {guess.x, guess.y, guess.z, R(0)};
-    nodes.mobility[i] = {mobility.x, mobility.y, mobility.z, R(0)};
-    nodes.moved[i] = {-guess.x, -guess.y, -guess.z, R(0)};
+    nodes.guess[place] = {guess.x, guess.y, guess.z, R(0)};
+    nodes.mobility[place] = {mobility.x, mobility.y, mobility.z, R(0)};
+    nodes.moved[place] = {-guess.x, -guess.y, -guess.z, R(0)};
     nodes.share[i] = R(0);
   }
   /// Of node m of a touch, which is entry i; counts it.
@@ -129,84 +94,9 @@ struct ListPushes {
     nodes.share[i] += t.weight[m] < R(0) ? -t.weight[m] : t.weight[m];
     R& deepest = nodes.deepest[nodes.nodes[i]];
     if (-t.before > deepest) deepest = -t.before;
-    return {touch, i, t.weight[m]};
+    return {touch, t.weight[m]};
   }
   GLISSON_HD void end(int i) const { nodes.share[i] *= surface.to[nodes.nodes[i]].w; }
-};
-
-/// Makes ready what the iterations go through.
-template <class R>
-struct StartPressing {
-  static constexpr int cost = 10;
-  PressingTouches<R> touches;
-  const int* slots;  ///< of the touches; null: each slot has one
-  const int* entry;
-  const R* share;
-
-  GLISSON_HD void operator()(int c) const {
-    const int slot = slots ? slots[c] : c;
-    PressingTouch<R>& p = touches.pressing[c];
-    p.entry[0] = -1;
-    if (!touches.used[slot]) return;
-    const Touch<R>& t = touches.found[slot];
-    R sum = R(0);
-    for (int m = 0; m < most_touch_nodes; ++m) {
-      const bool there = t.node[m] >= 0;
-      p.entry[m] = there ? entry[t.node[m]] : m + 1 < most_touch_nodes ? p.entry[0] : -1;
-      p.weight[m] = t.weight[m];
-      if (there) sum += (t.weight[m] < R(0) ? -t.weight[m] : t.weight[m]) * share[p.entry[m]];
-    }
-    p.normal = {t.normal.x, t.normal.y, t.normal.z, R(0)};
-    p.missing = t.target - t.gap;
-    p.gain = sum > R(0) ? R(1) / sum : R(0);  // 0: both sides are held
-    p.pressing = p.pressing_ahead = t.pressing;
-    p.slot = slot;
-    if (touches.rubbing) touches.rubbing[c] = {t.friction, t.slip, {}, {}};
-  }
-};
-
-template <class R>
-struct PushTouches {
-  static constexpr int cost = 4;
-  PressingTouches<R> touches;
-  const Vec4<R>* moved;
-  R ahead;         ///< share of the last change that is added; 0 in the last iteration
-  R share;         ///< of the gain along the normal: 1, or of penalties once s, then 0
-  Touch<R>* last;  ///< of the last iteration: what the next step starts from
-
-  GLISSON_HD void operator()(int c) const {
-    PressingTouch<R>& t = touches.pressing[c];
-    if (t.entry[0] < 0) return;
-    Row<R> sum{};
-    for (int m = 0; m + 1 < most_touch_nodes; ++m) sum = sum + t.weight[m] * Row<R>::of(moved[t.entry[m]]);
-    constexpr int of_quad = most_touch_nodes - 1;
-    if (t.entry[of_quad] >= 0) sum = sum + t.weight[of_quad] * Row<R>::of(moved[t.entry[of_quad]]);
-    const Row<R> normal = Row<R>::of(t.normal);
-    const Vec4<R> parts = (sum * normal).value();
-    const R along = parts.x + parts.y + parts.z;
-    const R pressing = positive(t.pressing_ahead + share * t.gain * (t.missing - along));
-    t.pressing_ahead = positive(pressing + ahead * (pressing - t.pressing));
-    t.pressing = pressing;
-    Row<R> force = t.pressing_ahead * normal;
-    if (touches.rubbing) force = force + rub(touches.rubbing[c], t, sum - along * normal);
-    touches.push[c] = force.value();
-    if (last) last[t.slot].pressing = pressing;
-  }
-
- private:
-  GLISSON_HD Row<R> rub(RubbingTouch<R>& r, const PressingTouch<R>& t, const Row<R>& aside) const {
-    if (!(r.friction > R(0))) return {};
-    const Vec3<R> slip = r.slip + xyz(aside.value());
-    const Vec3<R> rubbing = bounded(r.rubbing_ahead - t.gain * slip, r.friction * t.pressing);
-    r.rubbing_ahead = bounded(rubbing + ahead * (rubbing - r.rubbing), r.friction * t.pressing_ahead);
-    r.rubbing = rubbing;
-    return Row<R>::of({r.rubbing_ahead.x, r.rubbing_ahead.y, r.rubbing_ahead.z, R(0)});
-  }
-  GLISSON_HD static R positive(R a) { return a > R(0) ? a : R(0); }
-  GLISSON_HD static Vec3<R> bounded(const Vec3<R>& a, R most) {
-    const R squared = dot(a, a);
-    return squared > most * most ? (most / square_root(squared)) * a : a;
-  }
 };
 
 /// Sums the forces on node i; its motion is told relative to that of the last step's force, at which the
@@ -222,14 +112,14 @@ struct MovePushed {
     const int count = nodes.push_count[i];
     if (count == 0) return;  // as it was at the start
     const Push<R>* its = nodes.pushes + nodes.incident_begin[i];
-    Row<R> f{};
-    for (int j = 0; j < count; ++j) f = f + its[j].weight * Row<R>::of(push[its[j].touch]);
-    move(i, f);
+    move(i, i, its, its + count);
   }
 
  protected:
-  GLISSON_HD void move(int i, const Row<R>& f) const {
-    nodes.moved[i] = (Row<R>::of(nodes.mobility[i]) * f - Row<R>::of(nodes.guess[i])).value();
+  GLISSON_HD void move(int i, int place, const Push<R>* its, const Push<R>* end) const {
+    Row<R> f{};
+    for (; its != end; ++its) f = f + its->weight * Row<R>::of(push[its->touch]);
+    nodes.moved[place] = (Row<R>::of(nodes.mobility[place]) * f - Row<R>::of(nodes.guess[place])).value();
     if (last) nodes.force[nodes.nodes[i]] = f.value();
   }
 };

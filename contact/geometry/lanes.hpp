@@ -37,6 +37,11 @@ template <class L, class R>
 requires(lane_count<L> == 1) GLISSON_HD Vec3<L> turned_rows(const Vec4<R>* const (&row)[1]) {
   return {row[0]->x, row[0]->y, row[0]->z};
 }
+/// The other way round, with w = 0.
+template <class R>
+GLISSON_HD void put_rows(const Vec3<R>& a, Vec4<R>* to) {
+  *to = {a.x, a.y, a.z, R(0)};
+}
 
 #ifndef __CUDACC__
 
@@ -64,6 +69,7 @@ struct Lanes {
   friend Lanes operator/(Lanes a, Lanes b) { return a.v / b.v; }
   friend Mask operator<(Lanes a, Lanes b) { return a.v < b.v; }
   friend Mask operator>(Lanes a, Lanes b) { return a.v > b.v; }
+  friend Mask operator!=(Lanes a, Lanes b) { return a.v != b.v; }
   friend Mask operator<=(Lanes a, Lanes b) { return a.v <= b.v; }
   friend Mask operator>=(Lanes a, Lanes b) { return a.v >= b.v; }
   friend Lanes select(Mask mask, Lanes a, Lanes b) { return mask ? a.v : b.v; }
@@ -117,16 +123,9 @@ requires(sizeof(Mask) >= 16) unsigned bits_of(Mask mask) {
   return bits;
 }
 
-/// Numbers that are stored one by one and read as a pack make the core wait for the stores, so rows are read
-/// whole and turned.
-template <class L, class R>
-requires(lane_count<L> > 1) Vec3<L> turned_rows(const Vec4<R>* const (&row)[lane_count<L>]) {
-  using V = typename Lanes<R>::Vector;
-  const auto part = [&](int l, int p) {
-    V v;
-    std::memcpy(&v, &row[l]->x + p * Lanes<R>::width, sizeof v);
-    return v;
-  };
+/// x, y and z of rows of which part(l, p) is the part p of that of lane l.
+template <class L, class Part>
+requires(lane_count<L> > 1) Vec3<L> turned_parts(const Part& part) {
   if constexpr (lane_count<L> == 8) {  // two turns of four rows side by side
     const auto two = [&](int l) {
       return __builtin_shufflevector(part(l, 0), part(l + 4, 0), 0, 1, 2, 3, 4, 5, 6, 7);
@@ -140,8 +139,8 @@ requires(lane_count<L> > 1) Vec3<L> turned_rows(const Vec4<R>* const (&row)[lane
             __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15),
             __builtin_shufflevector(high(a, b), high(c, d), 0, 1, 8, 9, 4, 5, 12, 13)};
   } else if constexpr (lane_count<L> == 4) {
-    const V a = part(0, 0), b = part(1, 0), c = part(2, 0), d = part(3, 0);
-    const V ab = __builtin_shufflevector(a, b, 0, 4, 1, 5), cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+    const auto a = part(0, 0), b = part(1, 0), c = part(2, 0), d = part(3, 0);
+    const auto ab = __builtin_shufflevector(a, b, 0, 4, 1, 5), cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
     return {__builtin_shufflevector(ab, cd, 0, 1, 4, 5), __builtin_shufflevector(ab, cd, 2, 3, 6, 7),
             __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 6, 3, 7),
                                     __builtin_shufflevector(c, d, 2, 6, 3, 7), 0, 1, 4, 5)};
@@ -149,6 +148,53 @@ requires(lane_count<L> > 1) Vec3<L> turned_rows(const Vec4<R>* const (&row)[lane
     return {__builtin_shufflevector(part(0, 0), part(1, 0), 0, 2),
             __builtin_shufflevector(part(0, 0), part(1, 0), 1, 3),
             __builtin_shufflevector(part(0, 1), part(1, 1), 0, 2)};
+  }
+}
+
+/// Numbers that are stored one by one and read as a pack make the core wait for the stores, so rows are read
+/// whole and turned.
+template <class L, class R>
+requires(lane_count<L> > 1) Vec3<L> turned_rows(const Vec4<R>* const (&row)[lane_count<L>]) {
+  return turned_parts<L>([&](int l, int p) {
+    typename Lanes<R>::Vector v;
+    std::memcpy(&v, &row[l]->x + p * Lanes<R>::width, sizeof v);
+    return v;
+  });
+}
+/// The other way round, with w = 0.
+template <class R, int W>
+void put_rows(const Vec3<Lanes<R, W>>& a, Vec4<R>* to) {
+  const typename Lanes<R, W>::Vector x = a.x.v, y = a.y.v, z = a.z.v, w{};
+  const auto put = [&](int l, int p, const auto& v) {
+    std::memcpy(&to[l].x + p * Lanes<R>::width, &v, sizeof v);
+  };
+  if constexpr (W == 8) {
+    const auto low = [](auto u, auto v) { return __builtin_shufflevector(u, v, 0, 8, 1, 9, 4, 12, 5, 13); };
+    const auto high = [](auto u, auto v) {
+      return __builtin_shufflevector(u, v, 2, 10, 3, 11, 6, 14, 7, 15);
+    };
+    const auto four = [&](int l, auto xy, auto zw) {
+      const auto one = __builtin_shufflevector(xy, zw, 0, 1, 8, 9, 4, 5, 12, 13);
+      const auto next = __builtin_shufflevector(xy, zw, 2, 3, 10, 11, 6, 7, 14, 15);
+      put(l, 0, __builtin_shufflevector(one, one, 0, 1, 2, 3));
+      put(l + 1, 0, __builtin_shufflevector(next, next, 0, 1, 2, 3));
+      put(l + 4, 0, __builtin_shufflevector(one, one, 4, 5, 6, 7));
+      put(l + 5, 0, __builtin_shufflevector(next, next, 4, 5, 6, 7));
+    };
+    four(0, low(x, y), low(z, w));
+    four(2, high(x, y), high(z, w));
+  } else if constexpr (W == 4) {
+    const auto two = [&](int l, auto xy, auto zw) {
+      put(l, 0, __builtin_shufflevector(xy, zw, 0, 1, 4, 5));
+      put(l + 1, 0, __builtin_shufflevector(xy, zw, 2, 3, 6, 7));
+    };
+    two(0, __builtin_shufflevector(x, y, 0, 4, 1, 5), __builtin_shufflevector(z, w, 0, 4, 1, 5));
+    two(2, __builtin_shufflevector(x, y, 2, 6, 3, 7), __builtin_shufflevector(z, w, 2, 6, 3, 7));
+  } else {
+    put(0, 0, __builtin_shufflevector(x, y, 0, 2));
+    put(0, 1, __builtin_shufflevector(z, w, 0, 2));
+    put(1, 0, __builtin_shufflevector(x, y, 1, 3));
+    put(1, 1, __builtin_shufflevector(z, w, 1, 3));
   }
 }
 

@@ -63,6 +63,18 @@ struct Row {
   }
 };
 
+/// x, y and z of as many rows.
+template <class L, class R>
+requires(lane_count<L> > 1) Vec3<L> turned(const Row<R> (&row)[lane_count<L>]) {
+  return turned_parts<L>([&](int l, int p) { return row[l].v[p].v; });
+}
+
 #endif
+
+template <class L, class R>
+requires(lane_count<L> == 1) GLISSON_HD Vec3<L> turned(const Row<R> (&row)[1]) {
+  const Vec4<R> its = row[0].value();
+  return {its.x, its.y, its.z};
+}
 
 }  // namespace glisson::contact
