@@ -26,6 +26,7 @@ class CandidateLists {
         incident_(backend),
         push_count_(backend),
         dealt_slots_(backend),
+        dealt_entry_(backend),
         dealt_pushed_(backend),
         dealt_end_(backend),
         pushes_(backend),
@@ -104,8 +105,8 @@ class CandidateLists {
     return {touches_.get(), used_.get(), pressing_.get(), rub ? rubbing_.get() : nullptr, push_.get()};
   }
   DealtTouches<R> dealt(int part_count, int* touch_count) const {
-    return {dealt_slots_.get(), touch_count, dealt_pushed_.get(), place_of_.get(), dealt_end_.get(),
-            dealt_found_.get(), part_count,  node_count(),        slots_};
+    return {dealt_slots_.get(), touch_count,        dealt_entry_.get(), dealt_pushed_.get(), place_of_.get(),
+            dealt_end_.get(),   dealt_found_.get(), part_count,         node_count(),        slots_};
   }
   FoundForce<R> found_force() const { return {nodes_.get(), force_.get(), last_.get()}; }
   /// What the next step needs to know of each slot.
@@ -220,7 +221,8 @@ class CandidateLists {
     push_.resize(packs * touches_abreast);
     pressing_.resize(packs);
     rubbing_.resize(packs);
-    for (auto* by_entry : {&push_count_, &dealt_pushed_, &dealt_end_}) by_entry->resize(host_nodes_.size());
+    for (auto* by_entry : {&push_count_, &dealt_entry_, &dealt_pushed_, &dealt_end_})
+      by_entry->resize(host_nodes_.size());
     share_.resize(host_nodes_.size());
     for (auto* rows : {&mobility_, &guess_, &moved_}) rows->resize(host_nodes_.size());
     host_entry_.assign(host_.size(), 0);
@@ -234,7 +236,7 @@ class CandidateLists {
   std::int64_t candidates_ = 0;
   Buffer<EdgeCorners> edges_;
   Resizable<B, int> group_node_, group_begin_, facets_, pairs_, nodes_, internal_, incident_begin_, incident_,
-      push_count_, dealt_slots_, dealt_pushed_, dealt_end_;
+      push_count_, dealt_slots_, dealt_entry_, dealt_pushed_, dealt_end_;
   Resizable<B, Push<R>> pushes_;
   Resizable<B, DealtPush<R>> dealt_found_;
   Resizable<B, R> share_;

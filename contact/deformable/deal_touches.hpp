@@ -1,5 +1,6 @@
 // The touches of a step dealt out to the threads of a host: few, who each go through all that are used. What
-// the iterations read then lies without gaps, and touches are pushed a pack at a time.
+// the iterations read then lies without gaps, touches are pushed a pack at a time, and nodes that equally
+// many touches push lie side by side, so that a core can guess where the sum of each ends.
 #pragma once
 
 #include <glisson/contact/deformable/resolve_touches.hpp>
@@ -19,7 +20,8 @@ template <class R>
 struct DealtTouches {
   int* slots;           ///< of the touches that are used, rising; the last fills up its pack  [slots]
   int* touch_count;     ///< how many are used
-  int* pushed;          ///< entry of each place                                  [entries]
+  int* found_entry;     ///< entries that something pushes, in that order, by part     [entries]
+  int* pushed;          ///< the same by place: entry of each place               [entries]
   int* place;           ///< the other way round                                  [surface nodes]
   int* push_end;        ///< where the pushes of each place end, in those of the part  [entries]
   DealtPush<R>* found;  ///< pushes in the order of the touches, by part          [incident]
@@ -51,6 +53,7 @@ struct DealTouches : ListPushes<R> {
       deal(c, first, end, count);
       ++count.touches;
     }
+    give_places(first, count.pushed);
     sort_pushes(first, count);
     if (part == 0) end_slots(count);
     *counts = count;
@@ -64,13 +67,24 @@ struct DealTouches : ListPushes<R> {
       const int i = this->nodes.entry[t.node[m]];
       if (i < first || i >= end) continue;
       if (this->nodes.push_count[i] == 0) {
-        const int place = first + count.pushed++;
-        dealt.pushed[place] = i;
-        dealt.place[t.node[m]] = place;
-        this->start(i, place);
+        this->nodes.share[i] = R(0);
+        dealt.found_entry[first + count.pushed++] = i;
       }
       pushes[count.pushes++] = {i, this->push_of(i, t, m, count.touches)};
     }
+  }
+  /// By the number of pushes.
+  void give_places(int first, int pushed) const {
+    constexpr int classes = 16;
+    const int* found = dealt.found_entry + first;
+    const auto class_of = [&](int i) {
+      const int its = this->nodes.push_count[i];
+      return its < classes ? its : classes;
+    };
+    int next[classes + 2] = {};
+    for (int j = 0; j < pushed; ++j) ++next[class_of(found[j]) + 1];
+    for (int k = 0; k <= classes; ++k) next[k + 1] += next[k];
+    for (int j = 0; j < pushed; ++j) dealt.pushed[first + next[class_of(found[j])]++] = found[j];
   }
   /// By place, those of each in the order of the touches.
   void sort_pushes(int first, const DealtCounts& count) const {
@@ -78,6 +92,8 @@ struct DealTouches : ListPushes<R> {
     int end = 0;
     for (int place = first; place < first + count.pushed; ++place) {
       const int i = dealt.pushed[place], its = this->nodes.push_count[i];
+      dealt.place[this->nodes.nodes[i]] = place;
+      this->start(i, place);
       this->end(i);
       this->nodes.push_count[i] = end;  // from here on: where its next one belongs
       end += its;

@@ -62,6 +62,7 @@ struct ListPushes {
   GLISSON_HD void operator()(int i) const {
     clear(i);
     start(i, i);
+    nodes.share[i] = R(0);
     for (int j = nodes.incident_begin[i]; j < nodes.incident_begin[i + 1]; ++j) {
       const int slot = nodes.incident[j];
       if (!touches.used[slot]) continue;
@@ -86,7 +87,6 @@ struct ListPushes {
     nodes.guess[place] = {guess.x, guess.y, guess.z, R(0)};
     nodes.mobility[place] = {mobility.x, mobility.y, mobility.z, R(0)};
     nodes.moved[place] = {-guess.x, -guess.y, -guess.z, R(0)};
-    nodes.share[i] = R(0);
   }
   /// Of node m of a touch, which is entry i; counts it.
   GLISSON_HD Push<R> push_of(int i, const Touch<R>& t, int m, int touch) const {
