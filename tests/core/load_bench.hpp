@@ -1,30 +1,16 @@
-// A bench for providers: nodes with u and v on any backend, forces back on the host, and a time loop for free
-// particles.
+// A bench for providers: nodes with u and v on any backend, forces back on the host.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <memory>
-#include <numeric>
-#include <random>
 #include <vector>
 
 #include <glisson/core/loads/upload.hpp>
-#include <glisson/core/numbering.hpp>
 #include <glisson/cpu/emulated_device.hpp>
 #include <glisson/cpu/serial.hpp>
 #include <glisson/cpu/threads.hpp>
 
-namespace glisson {
+#include "tests/core/bench_nodes.hpp"
 
-/// Undamped central difference with the members that the engine's steppers have.
-template <class R>
-struct PlainStepper {
-  R kick, drift;  ///< [s]
-  GLISSON_HD Vec3<R> velocity(const Vec3<R>& v, const Vec3<R>& f, R inverse_mass) const {
-    return v + (kick * inverse_mass) * f;
-  }
-};
+namespace glisson {
 
 template <class Backend_, class R_>
 struct Case {
@@ -38,33 +24,15 @@ using RealOf = typename C::R;
 using BenchCases = ::testing::Types<Case<Serial, double>, Case<Serial, float>, Case<Threads, double>,
                                     Case<Threads, float>, Case<EmulatedDevice, float>>;
 
-/// User node n has the internal number (7 n + 3) mod count, if 7 and count are coprime; identity otherwise.
-inline Numbering shuffled_numbering(int count) {
-  Numbering numbering;
-  const bool coprime = std::gcd(7, count) == 1;
-  numbering.internal_of_user.resize(std::size_t(count));
-  numbering.user_of_internal.resize(std::size_t(count));
-  for (int n = 0; n < count; ++n) {
-    const int internal = coprime ? (7 * n + 3) % count : n;
-    numbering.internal_of_user[std::size_t(n)] = internal;
-    numbering.user_of_internal[std::size_t(internal)] = n;
-  }
-  return numbering;
-}
-
 /// Nodes in the user's numbering on the outside, internal numbering and a backend inside.
 template <class C>
-class Bench {
+class Bench : public BenchNodes {
   using B = BackendOf<C>;
   using R = RealOf<C>;
 
  public:
   explicit Bench(int count, double mass = 1)
-      : numbering(shuffled_numbering(count)),
-        masses(std::size_t(count), mass),
-        u(std::size_t(count)),
-        v(u),
-        f(u),
+      : BenchNodes(count, mass),
         u_(detail::zeros<Vec4<R>>(backend, u.size())),
         v_(detail::zeros<Vec4<R>>(backend, u.size())),
         f_(detail::zeros<Vec4<R>>(backend, u.size())),
@@ -96,15 +64,6 @@ class Bench {
   const std::vector<Vec3<double>>& forces(ForceProvider<R>& provider, double t = 1) {
     return forces(provider, view(t, 1));
   }
-  /// One step of the central difference for free nodes, on the host; counts step_count on.
-  void advance(double dt) {
-    const PlainStepper<double> stepper{step_count == 0 ? 0.5 * dt : dt, dt};
-    for (std::size_t n = 0; n < u.size(); ++n) {
-      v[n] = stepper.velocity(v[n], f[n], 1 / masses[n]);
-      u[n] = u[n] + dt * v[n];
-    }
-    ++step_count;
-  }
   void put(const std::vector<Vec3<double>>& from, Vec4<R>* to, bool inverse_mass) {
     std::vector<Vec4<R>> host(from.size());
     for (std::size_t n = 0; n < from.size(); ++n) {
@@ -129,24 +88,9 @@ class Bench {
   static double tolerance() { return sizeof(R) == 4 ? 2e-6 : 1e-13; }
 
   B backend;
-  Numbering numbering;
-  std::vector<double> masses;         ///< [kg]
-  std::vector<Vec3<double>> u, v, f;  ///< user's numbering
-  std::int64_t step_count = 0;
 
  private:
   Buffer<Vec4<R>> u_, v_, f_, predicted_;
 };
-
-inline Vec3<double> sum_of(const std::vector<Vec3<double>>& values) {
-  Vec3<double> sum;
-  for (const auto& a : values) sum = sum + a;
-  return sum;
-}
-inline void expect_near(const Vec3<double>& a, const Vec3<double>& b, double tolerance) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
 
 }  // namespace glisson
