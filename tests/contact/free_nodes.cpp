@@ -3,31 +3,26 @@
 #include <glisson/contact/analytic/rigid_bodies.hpp>
 #include <glisson/contact/surface/rigid_surfaces.hpp>
 
-#include "tests/core/load_bench.hpp"
+#include "tests/core/nodes_on_backend.hpp"
 
 namespace glisson::contact {
 namespace {
 
-template <class C>
+template <class B, class R>
 class RigidBenchOn final : public RigidBench {
-  using B = BackendOf<C>;
-  using R = RealOf<C>;
-
  public:
-  RigidBenchOn(const Model& model, double mass)
-      : bench_(model.mesh.node_count(), mass),
-        bodies_(make_rigid_bodies<B, R>(bench_.backend, model, bench_.numbering)) {
-    add_rigid_surfaces<B, R>(bench_.backend, model, bench_.numbering, bodies_);
+  RigidBenchOn(BenchCase row, const Model& model, double mass)
+      : RigidBench(BenchNodes(row, model.mesh.node_count(), mass)),
+        bodies_(make_rigid_bodies<B, R>(mirror_.backend, model, nodes.numbering)) {
+    add_rigid_surfaces<B, R>(mirror_.backend, model, nodes.numbering, bodies_);
   }
-  BenchNodes& nodes() override { return bench_; }
-  double tolerance() const override { return bench_.tolerance(); }
   void add_forces(double dt, double advance_per_force, const std::vector<Vec3<double>>& predicted) override {
-    StepView<R> view = bench_.view(double(bench_.step_count) * dt, dt);
-    view.t_next = double(bench_.step_count + 1) * dt;
+    StepView<R> view = mirror_.view(double(nodes.step_count) * dt, dt);
+    view.t_next = double(nodes.step_count + 1) * dt;
     view.advance_per_force = R(advance_per_force);
-    bench_.put(predicted, bench_.predicted(), false);
-    view.u_predicted = bench_.predicted();
-    for (auto& body : bodies_) bench_.forces(*body, view);
+    view.u_predicted = mirror_.put_predicted(predicted);
+    for (auto& body : bodies_) body->add_forces(view);
+    mirror_.get_f();
   }
   ContactReport report() const override { return dynamic_cast<const ContactSource&>(*bodies_[0]).report(); }
   double work() const override { return bodies_[0]->work(); }
@@ -35,16 +30,9 @@ class RigidBenchOn final : public RigidBench {
   void load(std::span<const std::byte> bytes) override { bodies_[0]->load(bytes); }
 
  private:
-  Bench<C> bench_;
+  NodesOnBackend<B, R> mirror_{nodes};
   std::vector<std::unique_ptr<ForceProvider<R>>> bodies_;
 };
-
-template <class B, class R>
-BenchCase bench_case(const char* name) {
-  return {name, [](const Model& model, double mass) -> std::unique_ptr<RigidBench> {
-            return std::make_unique<RigidBenchOn<Case<B, R>>>(model, mass);
-          }};
-}
 
 /// sum m a . v / 2 [J].
 double kinetic_energy(const BenchNodes& bench, const std::vector<Vec3<double>>& a) {
@@ -55,14 +43,12 @@ double kinetic_energy(const BenchNodes& bench, const std::vector<Vec3<double>>& 
 
 }  // namespace
 
-std::vector<BenchCase> bench_cases() {
-  return {bench_case<Serial, double>("SerialDouble"), bench_case<Serial, float>("SerialFloat"),
-          bench_case<Threads, double>("ThreadsDouble"), bench_case<Threads, float>("ThreadsFloat"),
-          bench_case<EmulatedDevice, float>("EmulatedFloat")};
+std::unique_ptr<RigidBench> rigid_bench(BenchCase row, const Model& model, double mass) {
+  return make_for<RigidBench, RigidBenchOn>(row, row, model, mass);
 }
 
 void FreeNodes::step(double dt) {
-  const double kick = bench.step_count == 0 ? 0.5 * dt : dt;
+  const double kick = bench.kick(dt);
   auto predicted = bench.u;
   for (std::size_t n = 0; n < predicted.size(); ++n)
     predicted[n] = predicted[n] + dt * (bench.v[n] + kick * gravity);
@@ -78,13 +64,13 @@ void expect_work_to_be_the_energy_of_the_nodes(FreeNodes& scene, double toleranc
     const auto before = scene.bench.v;
     scene.step(0.05);
     EXPECT_NEAR(scene.rigid->work(), kinetic_energy(scene.bench, before) - start,
-                tolerance * scene.tolerance())
+                tolerance * scene.bench.tolerance())
         << n;
   }
 }
 
-void expect_same_bits_after_restart(const BenchCase& c, const Model& model, double mass) {
-  FreeNodes whole(c, model, mass), first(c, model, mass), second(c, model, mass);
+void expect_same_bits_after_restart(BenchCase row, const Model& model, double mass) {
+  FreeNodes whole(row, model, mass), first(row, model, mass), second(row, model, mass);
   for (int n = 0; n < 20; ++n) whole.step(0.05);
   for (int n = 0; n < 11; ++n) first.step(0.05);
   second.rigid->load(first.rigid->save());

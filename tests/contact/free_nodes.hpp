@@ -2,13 +2,10 @@
 // type: what depends on them is compiled in free_nodes.cpp only.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cstddef>
 #include <memory>
-#include <ostream>
 #include <span>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include <glisson/core/contact_report.hpp>
@@ -21,10 +18,9 @@ namespace glisson::contact {
 /// Nodes on a backend with the providers of a model's rigid bodies and rigid surfaces.
 class RigidBench {
  public:
+  explicit RigidBench(BenchNodes its_nodes) : nodes(std::move(its_nodes)) {}
   virtual ~RigidBench() = default;
-  virtual BenchNodes& nodes() = 0;
-  virtual double tolerance() const = 0;
-  /// The displacement [m] that the nodes would have at the end of the step without these forces.
+  /// predicted: displacement that the nodes would have at the end of the step without these forces [m]
   virtual void add_forces(double dt, double advance_per_force,
                           const std::vector<Vec3<double>>& predicted) = 0;
   // of the first provider:
@@ -32,27 +28,18 @@ class RigidBench {
   virtual double work() const = 0;
   virtual std::vector<std::byte> save() const = 0;
   virtual void load(std::span<const std::byte> bytes) = 0;
-};
 
-struct BenchCase {
-  const char* name;
-  std::unique_ptr<RigidBench> (*make)(const Model&, double mass);
+  BenchNodes nodes;
 };
-std::vector<BenchCase> bench_cases();
-/// Names of tests must not hold the bytes of pointers.
-inline void PrintTo(const BenchCase& c, std::ostream* out) { *out << c.name; }
-
-using BenchTest = testing::TestWithParam<BenchCase>;
-inline std::string bench_case_name(const testing::TestParamInfo<BenchCase>& info) { return info.param.name; }
+std::unique_ptr<RigidBench> rigid_bench(BenchCase row, const Model& model, double mass);
 
 struct FreeNodes {
-  explicit FreeNodes(const BenchCase& c, const Model& its_model, double mass = 1)
-      : model(its_model), rigid(c.make(model, mass)), bench(rigid->nodes()) {}
+  FreeNodes(BenchCase row, const Model& its_model, double mass = 1)
+      : model(its_model), rigid(rigid_bench(row, model, mass)), bench(rigid->nodes) {}
 
   void step(double dt);
   ContactReport report() const { return rigid->report(); }
   Vec3<double> position(int n) const { return model.mesh.X[std::size_t(n)] + bench.u[std::size_t(n)]; }
-  double tolerance() const { return rigid->tolerance(); }
 
   Model model;
   std::unique_ptr<RigidBench> rigid;
@@ -65,10 +52,6 @@ struct FreeNodes {
 void expect_work_to_be_the_energy_of_the_nodes(FreeNodes& scene, double tolerance);
 
 /// 20 steps at once, and 11 steps whose state another scene takes over for the others.
-void expect_same_bits_after_restart(const BenchCase& c, const Model& model, double mass = 1);
+void expect_same_bits_after_restart(BenchCase row, const Model& model, double mass = 1);
 
 }  // namespace glisson::contact
-
-#define GLISSON_BENCH_CASES(suite)                                                         \
-  INSTANTIATE_TEST_SUITE_P(All, suite, testing::ValuesIn(glisson::contact::bench_cases()), \
-                           glisson::contact::bench_case_name)

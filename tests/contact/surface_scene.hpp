@@ -40,8 +40,8 @@ inline Model model_of(std::vector<Vec3<double>> X, RigidSurface surface) {
 }
 
 struct SurfaceScene : FreeNodes {
-  SurfaceScene(const BenchCase& c, std::vector<Vec3<double>> X, RigidSurface surface, double mass = 1)
-      : FreeNodes(c, model_of(std::move(X), std::move(surface)), mass) {}
+  SurfaceScene(BenchCase row, std::vector<Vec3<double>> X, RigidSurface surface, double mass = 1)
+      : FreeNodes(row, model_of(std::move(X), std::move(surface)), mass) {}
 };
 
 }  // namespace glisson::contact

@@ -32,7 +32,7 @@ TEST_P(RigidContacts, NodesEndEachStepOnTheMovingPlate) {
       {1, 1, 0.97}, {2, 1, 0.2}, {5, 1, 0.97}, {1, 2, 0.97}};  // touched, too low, beside it, not listed
   model.bodies = {pressing_plate()};
   Scene scene(GetParam(), model, 0.125);
-  const double eps = 4 * scene.tolerance();
+  const double eps = 4 * scene.bench.tolerance();
   for (int n = 1; n <= 10; ++n) {
     scene.step(0.1);
     // once touched, the node keeps the plate's speed and stays on it
@@ -57,7 +57,7 @@ TEST_P(RigidContacts, TheProbePushesNodesToItsSurface) {
   model.mesh.X = {{0.3, 0.4, 2}, {0, 0.1, 3.5}, {0, 0, 3}, {3, 3, 3}};
   model.bodies = {upright_probe({0, 1, 2, 3})};
   Scene scene(GetParam(), model, 3);
-  const double eps = 4 * scene.tolerance();
+  const double eps = 4 * scene.bench.tolerance();
   scene.step(0.1);
   expect_near(scene.position(0), {0.6, 0.8, 2}, eps);
   const auto tip = scene.position(1) - Vec3<double>{0, 0, 3};
@@ -84,7 +84,7 @@ TEST_P(RigidContacts, AGrowingCylinderPushesOutwards) {
   model.bodies = {cylinder};
   Scene scene(GetParam(), model);
   for (int n = 0; n < 8; ++n) scene.step(0.125);
-  EXPECT_NEAR(scene.position(0).x, 2, 4 * scene.tolerance());
+  EXPECT_NEAR(scene.position(0).x, 2, 4 * scene.bench.tolerance());
 }
 
 /// A free mass that a plate sets in motion: the work of the plate is its kinetic energy, at every step.
@@ -116,7 +116,7 @@ TEST_P(RigidContacts, ANodeThatStartsInsideComesOutEvenly) {
   model.bodies[0].nodes = {0};
   model.time.total = 1;
   Scene scene(GetParam(), model);
-  const double eps = scene.tolerance();
+  const double eps = scene.bench.tolerance();
   for (int n = 1; n <= 20; ++n) {
     scene.step(0.01);
     EXPECT_NEAR(scene.position(0).z, depth * (0.1 * n - 1), eps) << n;
@@ -136,7 +136,7 @@ TEST_P(RigidContacts, ASlidingNodeStopsAfterItsStoppingDistance) {
   scene.bench.v[0] = {3, 0, 0};
   for (int n = 0; n < 1200; ++n) scene.step(0.001);
   EXPECT_NEAR(scene.bench.u[0].x, 3 * 3 / (2 * 0.3 * 10.0), 0.01 * 1.5);
-  EXPECT_NEAR(scene.position(0).z, 0, 20 * scene.tolerance());
+  EXPECT_NEAR(scene.position(0).z, 0, 20 * scene.bench.tolerance());
 }
 
 /// A table that is pulled away below a node: with friction enough to take it along, or not, when the node
@@ -190,7 +190,7 @@ TEST_P(RigidContacts, NodesOfShellsStayHalfTheThicknessAroundAProbe) {
   Scene scene(GetParam(), model);
   scene.gravity = {-10, 0, 0};
   for (int n = 0; n < 100; ++n) scene.step(0.01);
-  const double eps = 40 * scene.tolerance();
+  const double eps = 40 * scene.bench.tolerance();
   expect_near(scene.position(0), {1.05, 0, 1}, eps);
   expect_near(scene.position(1), {1.05, 0, 2}, eps);
   expect_near(scene.position(3), {1, 0, 1.5}, eps);
@@ -203,8 +203,8 @@ TEST_P(RigidContacts, NodesOfShellsStayHalfTheThicknessInFrontOfAPlate) {
   Scene scene(GetParam(), model);
   scene.gravity = {0, 0, -10};
   for (int n = 0; n < 100; ++n) scene.step(0.01);
-  for (const int n : {0, 1, 2}) EXPECT_NEAR(scene.position(n).z, 0.05, 40 * scene.tolerance()) << n;
-  EXPECT_NEAR(scene.position(3).z, 0, 40 * scene.tolerance()) << "no shell";
+  for (const int n : {0, 1, 2}) EXPECT_NEAR(scene.position(n).z, 0.05, 40 * scene.bench.tolerance()) << n;
+  EXPECT_NEAR(scene.position(3).z, 0, 40 * scene.bench.tolerance()) << "no shell";
 }
 
 TEST_P(RigidContacts, ReportGivesTheResultant) {
@@ -216,7 +216,7 @@ TEST_P(RigidContacts, ReportGivesTheResultant) {
   const auto report = scene.report();
   const double kick = 0.05 * 0.1;
   EXPECT_EQ(report.node_count, 2);
-  expect_near(report.force, {0, 0, -2 * (0.55 + 0.3) / kick}, 1000 * scene.tolerance());
+  expect_near(report.force, {0, 0, -2 * (0.55 + 0.3) / kick}, 1000 * scene.bench.tolerance());
 }
 
 TEST_P(RigidContacts, RestartGivesTheSameBits) {

@@ -22,14 +22,14 @@ TEST_P(RigidSurfaces, NodesFallOnAFloorAndStayOnIt) {
   Scene scene(GetParam(), {{1, 1, 0.3}, {2, 2, 0.1}, {3.3, 1.7, 0}, {5, 1, 0.1}, {1, 1, -3}}, floor_of());
   scene.gravity = {0, 0, -10};
   for (int n = 0; n < 100; ++n) scene.step(0.01);
-  const double eps = 20 * scene.tolerance();
+  const double eps = 20 * scene.bench.tolerance();
   for (const int n : {0, 1, 2}) EXPECT_NEAR(scene.position(n).z, 0, eps) << n;
   for (const int n : {3, 4}) EXPECT_LT(scene.position(n).z, -4) << "beside and far below the floor";
   EXPECT_EQ(scene.report().node_count, 3);
   EXPECT_EQ(scene.report().search.candidates, 5);
   EXPECT_GT(scene.report().search.volumes, 32) << "boxes of as many facets";
   EXPECT_GT(scene.report().search.seconds, 0);
-  expect_near(scene.report().force, {0, 0, 30}, 5000 * scene.tolerance());
+  expect_near(scene.report().force, {0, 0, 30}, 5000 * scene.bench.tolerance());
 }
 
 TEST_P(RigidSurfaces, ANodeSlipsOnASlopeExactlyAboveItsFrictionAngle) {
@@ -46,8 +46,8 @@ TEST_P(RigidSurfaces, ANodeSlipsOnASlopeExactlyAboveItsFrictionAngle) {
     const Vec3<double> gone = scene.bench.u[0];
     const double slipped = gone.x * std::cos(slope) - gone.z * std::sin(slope), t = steps * dt;
     const double expected = mu > tangent ? 0 : 5 * (std::sin(slope) - mu * std::cos(slope)) * t * t;
-    EXPECT_NEAR(slipped, expected, 0.002 * expected + 20 * scene.tolerance()) << mu;
-    EXPECT_NEAR(gone.x * std::sin(slope) + gone.z * std::cos(slope), 0, 20 * scene.tolerance());
+    EXPECT_NEAR(slipped, expected, 0.002 * expected + 20 * scene.bench.tolerance()) << mu;
+    EXPECT_NEAR(gone.x * std::sin(slope) + gone.z * std::cos(slope), 0, 20 * scene.bench.tolerance());
   }
 }
 
@@ -61,7 +61,7 @@ TEST_P(RigidSurfaces, ASlidingNodeStopsAfterItsStoppingDistance) {
   EXPECT_NEAR(scene.bench.u[0].x, 3 * 3 / (2 * 0.3 * 10.0), 0.01 * 1.5);
   const double at_rest = scene.bench.u[0].x;
   for (int n = 0; n < 100; ++n) scene.step(0.001);
-  EXPECT_NEAR(scene.bench.u[0].x, at_rest, 20 * scene.tolerance());
+  EXPECT_NEAR(scene.bench.u[0].x, at_rest, 20 * scene.bench.tolerance());
 }
 
 /// Through a thin closed body in one step, 40 to 80 of its thicknesses far: stopped at the face that it
@@ -73,7 +73,7 @@ TEST_P(RigidSurfaces, AFastNodeDoesNotTunnel) {
   Scene scene(GetParam(), {{1.01, 2.02, 1.5}, {3, 1, 4}, {1, 1, -1.3}}, surface);
   scene.bench.v = {{0, 0, -40}, {0, 0, -80}, {0, 0, 30}};
   for (int n = 0; n < 3; ++n) scene.step(0.1);
-  const double eps = 50 * scene.tolerance();
+  const double eps = 50 * scene.bench.tolerance();
   EXPECT_NEAR(scene.position(0).z, 0.1, eps);
   EXPECT_NEAR(scene.position(1).z, 0.1, eps);
   EXPECT_NEAR(scene.position(2).z, 0, eps);
@@ -93,10 +93,10 @@ TEST_P(RigidSurfaces, AnApproachIsSlowedInFrontOfTheSurface) {
     if (predicted < close) speed *= predicted / close;
     gap -= speed * dt;
     scene.step(dt);
-    ASSERT_NEAR(scene.position(0).z, gap, 30 * scene.tolerance()) << n;
+    ASSERT_NEAR(scene.position(0).z, gap, 30 * scene.bench.tolerance()) << n;
   }
   EXPECT_GT(scene.position(0).z, 0);
-  EXPECT_NEAR(scene.bench.v[0].x, 0.2, 20 * scene.tolerance()) << "no friction";
+  EXPECT_NEAR(scene.bench.v[0].x, 0.2, 20 * scene.bench.tolerance()) << "no friction";
   EXPECT_EQ(scene.report().largest_depth, 0);
 }
 
@@ -113,7 +113,7 @@ TEST_P(RigidSurfaces, AMovingSurfaceSlowsWhatIsInFrontOfIt) {
     if (predicted < close) speed *= predicted / close;
     gap -= speed * dt;
     scene.step(dt);
-    ASSERT_NEAR(scene.position(0).z, gap + v * dt * (n + 1), 30 * scene.tolerance()) << n;
+    ASSERT_NEAR(scene.position(0).z, gap + v * dt * (n + 1), 30 * scene.bench.tolerance()) << n;
   }
   EXPECT_EQ(scene.bench.u[1].z, 0);
   RigidSurface sinking = floor_of();
@@ -134,7 +134,7 @@ TEST_P(RigidSurfaces, WhatIsSlowedPressesAndRubs) {
   double last = 1;
   for (int n = 0; n < 1000; ++n) {
     scene.step(0.01);
-    ASSERT_LE(scene.position(0).z, last + scene.tolerance());
+    ASSERT_LE(scene.position(0).z, last + scene.bench.tolerance());
     last = scene.position(0).z;
   }
   // the gap that slows is that at the end of a free step: a node rests where such a step ends at the surface
@@ -152,7 +152,7 @@ TEST_P(RigidSurfaces, AMovingSurfaceTakesNodesAlong) {
   Scene scene(GetParam(), {{3, 2, 0}, {2, 3, 0}}, turning);
   scene.gravity = {0, 0, -1000};
   for (int n = 0; n < 100; ++n) scene.step(0.01);
-  const double eps = 3e3 * scene.tolerance() + 1e-4;
+  const double eps = 3e3 * scene.bench.tolerance() + 1e-4;
   expect_near(scene.position(0), {2 + std::cos(1.0), 2 + std::sin(1.0), 0}, eps);
   expect_near(scene.position(1), {2 - std::sin(1.0), 2 + std::cos(1.0), 0}, eps);
 
@@ -160,8 +160,8 @@ TEST_P(RigidSurfaces, AMovingSurfaceTakesNodesAlong) {
   rising.displacement = {0, 0, 0.5};
   Scene lift(GetParam(), {{1, 1, 0.1}}, rising);
   for (int n = 0; n < 100; ++n) lift.step(0.01);
-  EXPECT_NEAR(lift.position(0).z, 0.5, 20 * lift.tolerance());
-  EXPECT_NEAR(lift.bench.v[0].z, 0.5, 2000 * lift.tolerance());
+  EXPECT_NEAR(lift.position(0).z, 0.5, 20 * lift.bench.tolerance());
+  EXPECT_NEAR(lift.bench.v[0].z, 0.5, 2000 * lift.bench.tolerance());
 }
 
 TEST_P(RigidSurfaces, WorkIsTheEnergyOfTheNodes) {

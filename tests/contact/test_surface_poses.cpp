@@ -24,7 +24,7 @@ TEST_P(SurfacePoses, ARoughFloorTurnsWhatLiesOnIt) {
   for (int i = 0; i < 4; ++i) turning.poses.push_back(at(i / 3.0, {}, {0, 0, whole * i / 3}));
   SurfaceScene scene(GetParam(), {{3, 2, 0}, {2, 3.5, 0}}, turning);
   scene.gravity = {0, 0, -1000};
-  const double eps = 1e4 * scene.tolerance() + 2e-4;
+  const double eps = 1e4 * scene.bench.tolerance() + 2e-4;
   for (int n = 1; n <= 200; ++n) {
     scene.step(0.005);
     const double a = whole * n / 200;
@@ -43,7 +43,7 @@ TEST_P(SurfacePoses, FrictionSeesTheSpeedOfTheRows) {
   scene.gravity = {0, 0, -10};
   scene.bench.v[0] = {1, 0, 0};
   for (int n = 0; n < 50; ++n) scene.step(0.01);
-  const double eps = 1e3 * scene.tolerance();
+  const double eps = 1e3 * scene.bench.tolerance();
   EXPECT_NEAR(scene.bench.v[0].x, 1, eps);
   EXPECT_NEAR(scene.bench.v[0].y, 0, eps);
   // then the belt leaves sideways: relative speed (1, -1), deceleration mu g along it
@@ -59,7 +59,7 @@ TEST_P(SurfacePoses, ItLiftsByTheRowsAndStandsOutsideOfThem) {
   lift.poses = {at(0.2, {}), at(0.4, {0, 0, 0.1}), at(0.5, {0, 0, 0.4})};
   SurfaceScene scene(GetParam(), {{1, 1, 0}}, lift);
   scene.gravity = {0, 0, -200};
-  const double eps = 50 * scene.tolerance();
+  const double eps = 50 * scene.bench.tolerance();
   for (int n = 0; n < 100; ++n) {
     scene.step(0.01);
     const double t = 0.01 * (n + 1);
