@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <glisson/core/any_simulation.hpp>
+#include <glisson/cuda/device.hpp>
 #include <tests/cuda/fake_runtime.hpp>
 
 namespace glisson::cuda {
