@@ -29,8 +29,11 @@ function(glisson_kernel_source template name flags out)
   configure_file(${CMAKE_CURRENT_SOURCE_DIR}/${template} ${file} @ONLY)
   # Contraction to fused multiply-adds is wanted; -W: g++ 12 warns about its own <immintrin.h>.
   separate_arguments(flags)
+  list(LENGTH GLISSON_INSTRUCTION_SETS set_count)
   if(NOT GLISSON_SANITIZE)
     list(APPEND flags -O3)
+  elseif(set_count EQUAL 1)
+    list(APPEND flags -DGLISSON_ONE_INSTRUCTION_SET)
   endif()
   set_source_files_properties(${file} PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS
     "${flags};-ffp-contract=fast;-fno-math-errno;-fno-trapping-math;-fno-signed-zeros;-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-psabi")

@@ -15,8 +15,10 @@ option(GLISSON_CUDA_NO_SPILLS "Kernels in float that spill registers are errors"
 set(GLISSON_CUDA_ARCHITECTURES "" CACHE STRING "Such as 90; empty: with AUTO those of this machine, with ON all")
 set(GLISSON_VTK "AUTO" CACHE STRING "glisson picture and view, with VTK >= 9.1: ON, OFF or AUTO")
 option(GLISSON_WERROR "Warnings are errors" OFF)
-option(GLISSON_QUICK_BUILD "Precompiled headers, which ccache does not know, and less optimisation where nobody waits" OFF)
+option(GLISSON_PRECOMPILED "Precompiled headers, which ccache does not know" OFF)
+option(GLISSON_QUICK_BUILD "Precompiled headers, and less optimisation where nobody waits" OFF)
 set(GLISSON_SANITIZE "" CACHE STRING "Sanitizers: address,undefined or thread")
+set(GLISSON_NO_SANITIZE "" CACHE STRING "Checks of theirs that are left out")
 
 find_program(GLISSON_CCACHE ccache)
 if(GLISSON_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

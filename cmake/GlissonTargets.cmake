@@ -19,9 +19,10 @@ function(glisson_library name)
     FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 
+# glisson_precompile(target [headers]): what most files include, and these.
 function(glisson_precompile target)
-  if(GLISSON_QUICK_BUILD)
-    target_precompile_headers(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp>)
+  if(GLISSON_QUICK_BUILD OR GLISSON_PRECOMPILED)
+    target_precompile_headers(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp> ${ARGN})
     # g++ 12 warns of its own headers once they are precompiled
     target_compile_options(${target} PRIVATE "$<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CXX_COMPILER_ID:GNU>>:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
   endif()
@@ -35,6 +36,9 @@ function(glisson_warnings target)
   if(GLISSON_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${GLISSON_SANITIZE} -fno-omit-frame-pointer
       $<$<CXX_COMPILER_ID:GNU>:-fno-sanitize-recover=all>)
+    if(GLISSON_NO_SANITIZE)
+      target_compile_options(${target} PRIVATE -fno-sanitize=${GLISSON_NO_SANITIZE})
+    endif()
     target_link_options(${target} PUBLIC -fsanitize=${GLISSON_SANITIZE})
   endif()
   if(GLISSON_BUILD_FUZZERS)

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include <glisson/contact/surface/rigid_surfaces.hpp>
-
 #include "tests/contact/free_nodes.hpp"
 #include "tests/contact/surfaces.hpp"
 
@@ -41,15 +39,9 @@ inline Model model_of(std::vector<Vec3<double>> X, RigidSurface surface) {
   return model;
 }
 
-template <class C>
-struct SurfaceScene : FreeNodes<C> {
-  SurfaceScene(std::vector<Vec3<double>> X, RigidSurface surface, double mass = 1)
-      : FreeNodes<C>(model_of(std::move(X), std::move(surface)), mass,
-                     [](auto& backend, const Model& m, const Numbering& numbering) {
-                       Bodies<C> result;
-                       add_rigid_surfaces<BackendOf<C>, RealOf<C>>(backend, m, numbering, result);
-                       return result;
-                     }) {}
+struct SurfaceScene : FreeNodes {
+  SurfaceScene(BenchCase row, std::vector<Vec3<double>> X, RigidSurface surface, double mass = 1)
+      : FreeNodes(row, model_of(std::move(X), std::move(surface)), mass) {}
 };
 
 }  // namespace glisson::contact

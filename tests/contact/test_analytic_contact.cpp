@@ -1,5 +1,5 @@
 // Rigid bodies as providers: nodes end each step on the surface, with work, report and restart.
-#include <glisson/contact/analytic/rigid_bodies.hpp>
+#include <glisson/contact/analytic/body_overlap.hpp>
 
 #include <cmath>
 
@@ -11,17 +11,10 @@
 namespace glisson::contact {
 namespace {
 
-template <class C>
-struct RigidContacts : ::testing::Test {};
-TYPED_TEST_SUITE(RigidContacts, BenchCases);
+using RigidContacts = BenchTest;
+GLISSON_BENCH_CASES(RigidContacts);
 
-template <class C>
-struct Scene : FreeNodes<C> {
-  explicit Scene(const Model& its_model, double mass = 1)
-      : FreeNodes<C>(its_model, mass, [](auto& backend, const Model& m, const Numbering& numbering) {
-          return make_rigid_bodies<BackendOf<C>, RealOf<C>>(backend, m, numbering);
-        }) {}
-};
+using Scene = FreeNodes;
 
 RigidBody pressing_plate() {  // front along -z, comes down from z = 1 to z = 0.5
   RigidBody plate;
@@ -33,12 +26,12 @@ RigidBody pressing_plate() {  // front along -z, comes down from z = 1 to z = 0.
   return plate;
 }
 
-TYPED_TEST(RigidContacts, NodesEndEachStepOnTheMovingPlate) {
+TEST_P(RigidContacts, NodesEndEachStepOnTheMovingPlate) {
   Model model;
   model.mesh.X = {
       {1, 1, 0.97}, {2, 1, 0.2}, {5, 1, 0.97}, {1, 2, 0.97}};  // touched, too low, beside it, not listed
   model.bodies = {pressing_plate()};
-  Scene<TypeParam> scene(model, 0.125);
+  Scene scene(GetParam(), model, 0.125);
   const double eps = 4 * scene.bench.tolerance();
   for (int n = 1; n <= 10; ++n) {
     scene.step(0.1);
@@ -59,11 +52,11 @@ RigidBody upright_probe(std::vector<int> nodes) {  // radius 1, centre of the ti
   return probe;
 }
 
-TYPED_TEST(RigidContacts, TheProbePushesNodesToItsSurface) {
+TEST_P(RigidContacts, TheProbePushesNodesToItsSurface) {
   Model model;
   model.mesh.X = {{0.3, 0.4, 2}, {0, 0.1, 3.5}, {0, 0, 3}, {3, 3, 3}};
   model.bodies = {upright_probe({0, 1, 2, 3})};
-  Scene<TypeParam> scene(model, 3);
+  Scene scene(GetParam(), model, 3);
   const double eps = 4 * scene.bench.tolerance();
   scene.step(0.1);
   expect_near(scene.position(0), {0.6, 0.8, 2}, eps);
@@ -77,7 +70,7 @@ TYPED_TEST(RigidContacts, TheProbePushesNodesToItsSurface) {
   EXPECT_NEAR(scene.report().largest_depth, 1, eps);
 }
 
-TYPED_TEST(RigidContacts, AGrowingCylinderPushesOutwards) {
+TEST_P(RigidContacts, AGrowingCylinderPushesOutwards) {
   Model model;
   model.mesh.X = {{1.25, 0, 1}};
   RigidBody cylinder;
@@ -89,22 +82,22 @@ TYPED_TEST(RigidContacts, AGrowingCylinderPushesOutwards) {
   cylinder.motion = {LoadShape::ramp, 0, 1};
   cylinder.nodes = {0};
   model.bodies = {cylinder};
-  Scene<TypeParam> scene(model);
+  Scene scene(GetParam(), model);
   for (int n = 0; n < 8; ++n) scene.step(0.125);
   EXPECT_NEAR(scene.position(0).x, 2, 4 * scene.bench.tolerance());
 }
 
 /// A free mass that a plate sets in motion: the work of the plate is its kinetic energy, at every step.
-TYPED_TEST(RigidContacts, WorkIsTheEnergyOfTheNodes) {
+TEST_P(RigidContacts, WorkIsTheEnergyOfTheNodes) {
   Model model;
   model.mesh.X = {{1, 1, 0.93}, {1, 2, 0.8}, {2, 1, 0.99}};
   model.bodies = {pressing_plate()};
   model.bodies[0].motion = {LoadShape::poly345, 0, 1};
   model.bodies[0].friction = 0.3;
-  Scene<TypeParam> scene(model, 2);
+  Scene scene(GetParam(), model, 2);
   scene.bench.v[1] = {0.2, 0, 0.5};
   expect_work_to_be_the_energy_of_the_nodes(scene, 20);
-  EXPECT_GT(scene.bodies[0]->work(), 0.1);
+  EXPECT_GT(scene.rigid->work(), 0.1);
 }
 
 RigidBody table() {  // front along +z at z = 0
@@ -115,14 +108,14 @@ RigidBody table() {  // front along +z at z = 0
 }
 
 /// At the surface at a tenth of the run, at the same speed all the way.
-TYPED_TEST(RigidContacts, ANodeThatStartsInsideComesOutEvenly) {
+TEST_P(RigidContacts, ANodeThatStartsInsideComesOutEvenly) {
   const double depth = 0.002;
   Model model;
   model.mesh.X = {{1, 1, -depth}};
   model.bodies = {table()};
   model.bodies[0].nodes = {0};
   model.time.total = 1;
-  Scene<TypeParam> scene(model);
+  Scene scene(GetParam(), model);
   const double eps = scene.bench.tolerance();
   for (int n = 1; n <= 20; ++n) {
     scene.step(0.01);
@@ -132,13 +125,13 @@ TYPED_TEST(RigidContacts, ANodeThatStartsInsideComesOutEvenly) {
   EXPECT_NEAR(scene.report().start_depth, depth, eps);
 }
 
-TYPED_TEST(RigidContacts, ASlidingNodeStopsAfterItsStoppingDistance) {
+TEST_P(RigidContacts, ASlidingNodeStopsAfterItsStoppingDistance) {
   Model model;
   model.mesh.X = {{0.5, 1.3, 0}};
   model.bodies = {table()};
   model.bodies[0].nodes = {0};
   model.bodies[0].friction = 0.3;
-  Scene<TypeParam> scene(model, 2.5);
+  Scene scene(GetParam(), model, 2.5);
   scene.gravity = {0, 0, -10};
   scene.bench.v[0] = {3, 0, 0};
   for (int n = 0; n < 1200; ++n) scene.step(0.001);
@@ -148,7 +141,7 @@ TYPED_TEST(RigidContacts, ASlidingNodeStopsAfterItsStoppingDistance) {
 
 /// A table that is pulled away below a node: with friction enough to take it along, or not, when the node
 /// gets mu g.
-TYPED_TEST(RigidContacts, FrictionIsMeasuredOnTheMovingBody) {
+TEST_P(RigidContacts, FrictionIsMeasuredOnTheMovingBody) {
   for (const double mu : {0.5, 0.1}) {
     Model model;
     model.mesh.X = {{1, 1, 0}};
@@ -158,14 +151,14 @@ TYPED_TEST(RigidContacts, FrictionIsMeasuredOnTheMovingBody) {
     model.bodies[0].displacement = {1, 0, 0};  // a = 2 m/s^2
     model.bodies[0].motion.shape = LoadShape::table;
     for (int k = 0; k <= 100; ++k) model.bodies[0].motion.table.push_back({0.01 * k, 1e-4 * k * k});
-    Scene<TypeParam> scene(model);
+    Scene scene(GetParam(), model);
     scene.gravity = {0, 0, -10};
     for (int n = 0; n < 100; ++n) scene.step(0.01);
     EXPECT_NEAR(scene.bench.u[0].x, mu > 0.2 ? 1 : 0.5, 0.01) << mu;
   }
 }
 
-TYPED_TEST(RigidContacts, AProbeWithFrictionTakesNodesAlong) {
+TEST_P(RigidContacts, AProbeWithFrictionTakesNodesAlong) {
   Model model;
   model.mesh.X = {{1, 0, 1}};
   RigidBody probe = upright_probe({0});
@@ -173,7 +166,7 @@ TYPED_TEST(RigidContacts, AProbeWithFrictionTakesNodesAlong) {
   probe.motion = {LoadShape::ramp, 0, 1};
   probe.friction = 3;
   model.bodies = {probe};
-  Scene<TypeParam> scene(model);
+  Scene scene(GetParam(), model);
   scene.gravity = {-100, 0, 0};
   for (int n = 0; n < 100; ++n) scene.step(0.01);
   expect_near(scene.position(0), {1, 0, 2}, 1e-3);
@@ -191,10 +184,10 @@ Model skin_of(std::vector<Vec3<double>> X) {
   return model;
 }
 
-TYPED_TEST(RigidContacts, NodesOfShellsStayHalfTheThicknessAroundAProbe) {
+TEST_P(RigidContacts, NodesOfShellsStayHalfTheThicknessAroundAProbe) {
   Model model = skin_of({{1.2, 0, 1}, {1.2, 0, 2}, {0, 1.2, 1.5}, {1.2, 0, 1.5}});
   model.bodies = {upright_probe({0, 1, 3})};
-  Scene<TypeParam> scene(model);
+  Scene scene(GetParam(), model);
   scene.gravity = {-10, 0, 0};
   for (int n = 0; n < 100; ++n) scene.step(0.01);
   const double eps = 40 * scene.bench.tolerance();
@@ -203,22 +196,22 @@ TYPED_TEST(RigidContacts, NodesOfShellsStayHalfTheThicknessAroundAProbe) {
   expect_near(scene.position(3), {1, 0, 1.5}, eps);
 }
 
-TYPED_TEST(RigidContacts, NodesOfShellsStayHalfTheThicknessInFrontOfAPlate) {
+TEST_P(RigidContacts, NodesOfShellsStayHalfTheThicknessInFrontOfAPlate) {
   Model model = skin_of({{1, 1, 0.2}, {2, 1, 0.2}, {1, 2, 0.2}, {3, 3, 0.2}});
   model.bodies = {table()};
   model.bodies[0].nodes = {0, 1, 2, 3};
-  Scene<TypeParam> scene(model);
+  Scene scene(GetParam(), model);
   scene.gravity = {0, 0, -10};
   for (int n = 0; n < 100; ++n) scene.step(0.01);
   for (const int n : {0, 1, 2}) EXPECT_NEAR(scene.position(n).z, 0.05, 40 * scene.bench.tolerance()) << n;
   EXPECT_NEAR(scene.position(3).z, 0, 40 * scene.bench.tolerance()) << "no shell";
 }
 
-TYPED_TEST(RigidContacts, ReportGivesTheResultant) {
+TEST_P(RigidContacts, ReportGivesTheResultant) {
   Model model;
   model.mesh.X = {{1, 1, 1.5}, {1, 2, 0.5}, {2, 1, 1.25}};
   model.bodies = {pressing_plate()};
-  Scene<TypeParam> scene(model, 2);
+  Scene scene(GetParam(), model, 2);
   scene.step(0.1);
   const auto report = scene.report();
   const double kick = 0.05 * 0.1;
@@ -226,14 +219,14 @@ TYPED_TEST(RigidContacts, ReportGivesTheResultant) {
   expect_near(report.force, {0, 0, -2 * (0.55 + 0.3) / kick}, 1000 * scene.bench.tolerance());
 }
 
-TYPED_TEST(RigidContacts, RestartGivesTheSameBits) {
+TEST_P(RigidContacts, RestartGivesTheSameBits) {
   Model model;
   model.mesh.X = {{1, 1, 0.93}, {1, 2, 0.8}, {2, 1, 1.004}};
   model.time.total = 8;  // the last node is behind the plate until 0.8
   model.bodies = {pressing_plate()};
   model.bodies[0].friction = 0.3;
   model.bodies[0].displacement.x = 0.1;
-  expect_same_bits_after_restart([&] { return Scene<TypeParam>(model, 2); });
+  expect_same_bits_after_restart(GetParam(), model, 2);
 }
 
 /// A unit cube that plates, a cylinder and a probe start in by a share of its edge.

@@ -1,6 +1,10 @@
 // Rigid surface meshes: nodes end each step in front of them, friction, no tunnelling, motion, restart.
 #include <numeric>
+#include <random>
 
+#include <glisson/contact/rate_distance.hpp>
+#include <glisson/contact/surface/surface_overlap.hpp>
+#include <glisson/core/base/error.hpp>
 #include <glisson/core/mesh/box_mesh.hpp>
 #include <glisson/core/mesh/surface.hpp>
 
@@ -9,15 +13,13 @@
 namespace glisson::contact {
 namespace {
 
-template <class C>
-struct RigidSurfaces : ::testing::Test {};
-TYPED_TEST_SUITE(RigidSurfaces, BenchCases);
+using RigidSurfaces = BenchTest;
+GLISSON_BENCH_CASES(RigidSurfaces);
 
-template <class C>
-using Scene = SurfaceScene<C>;
+using Scene = SurfaceScene;
 
-TYPED_TEST(RigidSurfaces, NodesFallOnAFloorAndStayOnIt) {
-  Scene<TypeParam> scene({{1, 1, 0.3}, {2, 2, 0.1}, {3.3, 1.7, 0}, {5, 1, 0.1}, {1, 1, -3}}, floor_of());
+TEST_P(RigidSurfaces, NodesFallOnAFloorAndStayOnIt) {
+  Scene scene(GetParam(), {{1, 1, 0.3}, {2, 2, 0.1}, {3.3, 1.7, 0}, {5, 1, 0.1}, {1, 1, -3}}, floor_of());
   scene.gravity = {0, 0, -10};
   for (int n = 0; n < 100; ++n) scene.step(0.01);
   const double eps = 20 * scene.bench.tolerance();
@@ -30,13 +32,13 @@ TYPED_TEST(RigidSurfaces, NodesFallOnAFloorAndStayOnIt) {
   expect_near(scene.report().force, {0, 0, 30}, 5000 * scene.bench.tolerance());
 }
 
-TYPED_TEST(RigidSurfaces, ANodeSlipsOnASlopeExactlyAboveItsFrictionAngle) {
+TEST_P(RigidSurfaces, ANodeSlipsOnASlopeExactlyAboveItsFrictionAngle) {
   const double slope = 0.4, tangent = std::tan(slope), length = 0.5;
   const Vec3<double> start{length * std::cos(slope), 1.3, -length * std::sin(slope)};
   for (const double mu : {1.001 * tangent, 0.999 * tangent, 0.5 * tangent}) {
     RigidSurface floor = floor_of(4, slope);
     floor.friction = mu;
-    Scene<TypeParam> scene({start}, floor);
+    Scene scene(GetParam(), {start}, floor);
     scene.gravity = {0, 0, -10};
     const double dt = 0.005;
     const int steps = 100;
@@ -49,10 +51,10 @@ TYPED_TEST(RigidSurfaces, ANodeSlipsOnASlopeExactlyAboveItsFrictionAngle) {
   }
 }
 
-TYPED_TEST(RigidSurfaces, ASlidingNodeStopsAfterItsStoppingDistance) {
+TEST_P(RigidSurfaces, ASlidingNodeStopsAfterItsStoppingDistance) {
   RigidSurface floor = floor_of();
   floor.friction = 0.3;
-  Scene<TypeParam> scene({{0.5, 1.3, 0}}, floor, 2.5);
+  Scene scene(GetParam(), {{0.5, 1.3, 0}}, floor, 2.5);
   scene.gravity = {0, 0, -10};
   scene.bench.v[0] = {3, 0, 0};
   for (int n = 0; n < 1200; ++n) scene.step(0.001);
@@ -64,11 +66,11 @@ TYPED_TEST(RigidSurfaces, ASlidingNodeStopsAfterItsStoppingDistance) {
 
 /// Through a thin closed body in one step, 40 to 80 of its thicknesses far: stopped at the face that it
 /// entered.
-TYPED_TEST(RigidSurfaces, AFastNodeDoesNotTunnel) {
+TEST_P(RigidSurfaces, AFastNodeDoesNotTunnel) {
   const Mesh slab = box_mesh({4, 4, 1}, {4, 4, 0.1}, Shape::hexahedron, 0);
   RigidSurface surface;
   surface.surface = {slab.X, outer_surface(slab)};
-  Scene<TypeParam> scene({{1.01, 2.02, 1.5}, {3, 1, 4}, {1, 1, -1.3}}, surface);
+  Scene scene(GetParam(), {{1.01, 2.02, 1.5}, {3, 1, 4}, {1, 1, -1.3}}, surface);
   scene.bench.v = {{0, 0, -40}, {0, 0, -80}, {0, 0, 30}};
   for (int n = 0; n < 3; ++n) scene.step(0.1);
   const double eps = 50 * scene.bench.tolerance();
@@ -79,11 +81,11 @@ TYPED_TEST(RigidSurfaces, AFastNodeDoesNotTunnel) {
 
 /// Eq. 5.19-5.22: within the rate distance a free approach keeps the share gap / distance of its speed, where
 /// the gap is the one that it would reach; the node ends in front of the surface and rests.
-TYPED_TEST(RigidSurfaces, AnApproachIsSlowedInFrontOfTheSurface) {
+TEST_P(RigidSurfaces, AnApproachIsSlowedInFrontOfTheSurface) {
   const double close = 0.1, dt = 0.01, v = 0.5;
   RigidSurface floor = floor_of();
   floor.distance = close;
-  Scene<TypeParam> scene({{1, 1, 0.1075}}, floor);
+  Scene scene(GetParam(), {{1, 1, 0.1075}}, floor);
   scene.bench.v[0] = {0.2, 0, -v};
   double gap = 0.1075, speed = v;
   for (int n = 0; n < 200; ++n) {
@@ -99,12 +101,12 @@ TYPED_TEST(RigidSurfaces, AnApproachIsSlowedInFrontOfTheSurface) {
 }
 
 /// A surface that rises at the node does the same as one that the node falls on; one that sinks pulls not.
-TYPED_TEST(RigidSurfaces, AMovingSurfaceSlowsWhatIsInFrontOfIt) {
+TEST_P(RigidSurfaces, AMovingSurfaceSlowsWhatIsInFrontOfIt) {
   const double close = 0.1, dt = 0.01, v = 0.5;
   RigidSurface rising = floor_of();
   rising.distance = close;
   rising.displacement = {0, 0, v};
-  Scene<TypeParam> scene({{1, 1, 0.1075}, {2, 2, 3}}, rising);
+  Scene scene(GetParam(), {{1, 1, 0.1075}, {2, 2, 3}}, rising);
   double gap = 0.1075, speed = v;
   for (int n = 0; n < 90; ++n) {
     const double predicted = gap - speed * dt;
@@ -117,17 +119,17 @@ TYPED_TEST(RigidSurfaces, AMovingSurfaceSlowsWhatIsInFrontOfIt) {
   RigidSurface sinking = floor_of();
   sinking.distance = close;
   sinking.displacement = {0, 0, -v};
-  Scene<TypeParam> left({{1, 1, 0.01}}, sinking);
+  Scene left(GetParam(), {{1, 1, 0.01}}, sinking);
   for (int n = 0; n < 90; ++n) left.step(dt);
   EXPECT_EQ(left.bench.u[0].z, 0);
 }
 
 /// At rest the node presses with its weight and sinks to the surface, never behind it; friction holds it.
-TYPED_TEST(RigidSurfaces, WhatIsSlowedPressesAndRubs) {
+TEST_P(RigidSurfaces, WhatIsSlowedPressesAndRubs) {
   RigidSurface floor = floor_of();
   floor.distance = 0.1;
   floor.friction = 0.3;
-  Scene<TypeParam> scene({{1, 1, 0.05}}, floor, 2);
+  Scene scene(GetParam(), {{1, 1, 0.05}}, floor, 2);
   scene.gravity = {2, 0, -10};
   double last = 1;
   for (int n = 0; n < 1000; ++n) {
@@ -142,12 +144,12 @@ TYPED_TEST(RigidSurfaces, WhatIsSlowedPressesAndRubs) {
   EXPECT_LT(scene.bench.u[0].x, 0.02) << "until it presses it slips a little; freely 25";
 }
 
-TYPED_TEST(RigidSurfaces, AMovingSurfaceTakesNodesAlong) {
+TEST_P(RigidSurfaces, AMovingSurfaceTakesNodesAlong) {
   RigidSurface turning = floor_of();
   turning.friction = 100;
   turning.angles = {0, 0, 1};
   turning.centre = {2, 2, 0};
-  Scene<TypeParam> scene({{3, 2, 0}, {2, 3, 0}}, turning);
+  Scene scene(GetParam(), {{3, 2, 0}, {2, 3, 0}}, turning);
   scene.gravity = {0, 0, -1000};
   for (int n = 0; n < 100; ++n) scene.step(0.01);
   const double eps = 3e3 * scene.bench.tolerance() + 1e-4;
@@ -156,28 +158,28 @@ TYPED_TEST(RigidSurfaces, AMovingSurfaceTakesNodesAlong) {
 
   RigidSurface rising = floor_of();
   rising.displacement = {0, 0, 0.5};
-  Scene<TypeParam> lift({{1, 1, 0.1}}, rising);
+  Scene lift(GetParam(), {{1, 1, 0.1}}, rising);
   for (int n = 0; n < 100; ++n) lift.step(0.01);
   EXPECT_NEAR(lift.position(0).z, 0.5, 20 * lift.bench.tolerance());
   EXPECT_NEAR(lift.bench.v[0].z, 0.5, 2000 * lift.bench.tolerance());
 }
 
-TYPED_TEST(RigidSurfaces, WorkIsTheEnergyOfTheNodes) {
+TEST_P(RigidSurfaces, WorkIsTheEnergyOfTheNodes) {
   RigidSurface rough = floor_of();
   rough.friction = 0.2;
   rough.displacement = {0.3, 0, 0.5};
-  Scene<TypeParam> scene({{1, 1, 0.1}, {2, 1.5, 0.2}}, rough, 2);
+  Scene scene(GetParam(), {{1, 1, 0.1}, {2, 1.5, 0.2}}, rough, 2);
   scene.bench.v[1] = {0.5, 0, -1};
   expect_work_to_be_the_energy_of_the_nodes(scene, 50);
 }
 
-TYPED_TEST(RigidSurfaces, RestartGivesTheSameBits) {
+TEST_P(RigidSurfaces, RestartGivesTheSameBits) {
   RigidSurface rough = floor_of();
   rough.distance = 0.05;
   rough.friction = 0.2;
   rough.displacement = {0.3, 0, 0.5};
   const std::vector<Vec3<double>> X{{1, 1, 0.1}, {2, 1.5, 0.2}, {3, 3, 0.05}};
-  expect_same_bits_after_restart([&] { return Scene<TypeParam>(X, rough); });
+  expect_same_bits_after_restart(GetParam(), model_of(X, rough));
 }
 
 /// Around a whole sphere the signed distance has the right sign and size, in cavities too.

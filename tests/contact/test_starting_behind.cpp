@@ -1,6 +1,4 @@
 // What starts a little behind something rigid comes out evenly, whatever that is.
-#include <glisson/contact/analytic/rigid_bodies.hpp>
-
 #include <functional>
 
 #include "tests/contact/surface_scene.hpp"

@@ -4,9 +4,8 @@
 namespace glisson::contact {
 namespace {
 
-template <class C>
-struct SurfacePenalties : ::testing::Test {};
-TYPED_TEST_SUITE(SurfacePenalties, BenchCases);
+using SurfacePenalties = BenchTest;
+GLISSON_BENCH_CASES(SurfacePenalties);
 
 RigidSurface soft_floor(double share, double slope = 0) {
   RigidSurface floor = floor_of(4, slope);
@@ -15,11 +14,11 @@ RigidSurface soft_floor(double share, double slope = 0) {
 }
 
 /// A node at rest carries its weight at the depth g dt^2 (1 / s - 1), none at s = 1, whatever its mass.
-TYPED_TEST(SurfacePenalties, ANodeRestsAtTheDepthOfItsWeight) {
+TEST_P(SurfacePenalties, ANodeRestsAtTheDepthOfItsWeight) {
   const double dt = 0.01, g = 10;
   for (const double share : {0.1, 0.5, 1.0})
     for (const double mass : {0.01, 3.0}) {
-      SurfaceScene<TypeParam> scene({{1, 1, 0.01}}, soft_floor(share), mass);
+      SurfaceScene scene(GetParam(), {{1, 1, 0.01}}, soft_floor(share), mass);
       scene.gravity = {0, 0, -g};
       for (int n = 0; n < 1000; ++n) scene.step(dt);
       EXPECT_NEAR(scene.position(0).z, -g * dt * dt * (1 / share - 1), 1e3 * scene.bench.tolerance());
@@ -28,9 +27,9 @@ TYPED_TEST(SurfacePenalties, ANodeRestsAtTheDepthOfItsWeight) {
 }
 
 /// x(n+1) = (1 - s)(2 x(n) - x(n-1)) below the floor: the node comes back slower by what its damping takes.
-TYPED_TEST(SurfacePenalties, AnImpactLosesWhatTheLawSays) {
+TEST_P(SurfacePenalties, AnImpactLosesWhatTheLawSays) {
   const double share = 0.2, dt = 0.01, v = 1;
-  SurfaceScene<TypeParam> scene({{1, 1, 0.5 * v * dt}}, soft_floor(share));
+  SurfaceScene scene(GetParam(), {{1, 1, 0.5 * v * dt}}, soft_floor(share));
   scene.bench.v[0] = {0, 0, -v};
   double before = 0.5 * v * dt, x = (1 - share) * (before - v * dt);
   while (x < 0) {
@@ -46,13 +45,13 @@ TYPED_TEST(SurfacePenalties, AnImpactLosesWhatTheLawSays) {
   EXPECT_GT(scene.position(0).z, 0);
 }
 
-TYPED_TEST(SurfacePenalties, ANodeSlipsOnASlopeAboveItsFrictionAngleOnly) {
+TEST_P(SurfacePenalties, ANodeSlipsOnASlopeAboveItsFrictionAngleOnly) {
   const double slope = 0.4, tangent = std::tan(slope), length = 0.5;
   const Vec3<double> start{length * std::cos(slope), 1.3, -length * std::sin(slope)};
   for (const double mu : {1.2 * tangent, 0.5 * tangent}) {
     RigidSurface floor = soft_floor(0.3, slope);
     floor.friction = mu;
-    SurfaceScene<TypeParam> scene({start}, floor);
+    SurfaceScene scene(GetParam(), {start}, floor);
     scene.gravity = {0, 0, -10};
     const double dt = 0.005;
     for (int n = 0; n < 100; ++n) scene.step(dt);
@@ -71,21 +70,21 @@ TYPED_TEST(SurfacePenalties, ANodeSlipsOnASlopeAboveItsFrictionAngleOnly) {
   }
 }
 
-TYPED_TEST(SurfacePenalties, WorkIsTheEnergyOfTheNodes) {
+TEST_P(SurfacePenalties, WorkIsTheEnergyOfTheNodes) {
   RigidSurface rough = soft_floor(0.4);
   rough.friction = 0.2;
   rough.displacement = {0.3, 0, 0.5};
-  SurfaceScene<TypeParam> scene({{1, 1, 0.1}, {2, 1.5, 0.2}}, rough, 2);
+  SurfaceScene scene(GetParam(), {{1, 1, 0.1}, {2, 1.5, 0.2}}, rough, 2);
   scene.bench.v[1] = {0.5, 0, -1};
   expect_work_to_be_the_energy_of_the_nodes(scene, 50);
 }
 
-TYPED_TEST(SurfacePenalties, RestartGivesTheSameBits) {
+TEST_P(SurfacePenalties, RestartGivesTheSameBits) {
   RigidSurface rough = soft_floor(0.4);
   rough.friction = 0.2;
   rough.displacement = {0.3, 0, 0.5};
   const std::vector<Vec3<double>> X{{1, 1, 0.1}, {2, 1.5, 0.2}, {3, 3, 0.05}};
-  expect_same_bits_after_restart([&] { return SurfaceScene<TypeParam>(X, rough); });
+  expect_same_bits_after_restart(GetParam(), model_of(X, rough));
 }
 
 }  // namespace

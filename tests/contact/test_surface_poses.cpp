@@ -8,22 +8,21 @@
 namespace glisson::contact {
 namespace {
 
-template <class C>
-struct SurfacePoses : ::testing::Test {};
-TYPED_TEST_SUITE(SurfacePoses, BenchCases);
+using SurfacePoses = BenchTest;
+GLISSON_BENCH_CASES(SurfacePoses);
 
 RigidPose at(double time, const Vec3<double>& shift, const Vec3<double>& turn = {}) {
   return {time, shift, quaternion_of(turn)};
 }
 
 /// A turn by three quarters in four rows: a rough floor takes the nodes along the arc, not along chords.
-TYPED_TEST(SurfacePoses, ARoughFloorTurnsWhatLiesOnIt) {
+TEST_P(SurfacePoses, ARoughFloorTurnsWhatLiesOnIt) {
   RigidSurface turning = floor_of();
   turning.friction = 100;
   turning.centre = {2, 2, 0};
   const double whole = 1.5 * std::numbers::pi;
   for (int i = 0; i < 4; ++i) turning.poses.push_back(at(i / 3.0, {}, {0, 0, whole * i / 3}));
-  SurfaceScene<TypeParam> scene({{3, 2, 0}, {2, 3.5, 0}}, turning);
+  SurfaceScene scene(GetParam(), {{3, 2, 0}, {2, 3.5, 0}}, turning);
   scene.gravity = {0, 0, -1000};
   const double eps = 1e4 * scene.bench.tolerance() + 2e-4;
   for (int n = 1; n <= 200; ++n) {
@@ -36,11 +35,11 @@ TYPED_TEST(SurfacePoses, ARoughFloorTurnsWhatLiesOnIt) {
 
 /// Friction acts on the motion relative to the surface: at the speed of the rows a node that lies on it
 /// neither slips nor is pushed; against a standing floor it would lose mu g t.
-TYPED_TEST(SurfacePoses, FrictionSeesTheSpeedOfTheRows) {
+TEST_P(SurfacePoses, FrictionSeesTheSpeedOfTheRows) {
   RigidSurface belt = floor_of();
   belt.friction = 0.3;
   belt.poses = {at(0, {}), at(0.5, {0.5, 0, 0}), at(1, {0.5, 0.5, 0})};
-  SurfaceScene<TypeParam> scene({{1, 1, 0}}, belt);
+  SurfaceScene scene(GetParam(), {{1, 1, 0}}, belt);
   scene.gravity = {0, 0, -10};
   scene.bench.v[0] = {1, 0, 0};
   for (int n = 0; n < 50; ++n) scene.step(0.01);
@@ -55,10 +54,10 @@ TYPED_TEST(SurfacePoses, FrictionSeesTheSpeedOfTheRows) {
 }
 
 /// Before the first and after the last row it stands; the lift is that of the rows in between.
-TYPED_TEST(SurfacePoses, ItLiftsByTheRowsAndStandsOutsideOfThem) {
+TEST_P(SurfacePoses, ItLiftsByTheRowsAndStandsOutsideOfThem) {
   RigidSurface lift = floor_of();
   lift.poses = {at(0.2, {}), at(0.4, {0, 0, 0.1}), at(0.5, {0, 0, 0.4})};
-  SurfaceScene<TypeParam> scene({{1, 1, 0}}, lift);
+  SurfaceScene scene(GetParam(), {{1, 1, 0}}, lift);
   scene.gravity = {0, 0, -200};
   const double eps = 50 * scene.bench.tolerance();
   for (int n = 0; n < 100; ++n) {
@@ -70,21 +69,21 @@ TYPED_TEST(SurfacePoses, ItLiftsByTheRowsAndStandsOutsideOfThem) {
   }
 }
 
-TYPED_TEST(SurfacePoses, WorkIsTheEnergyOfTheNodes) {
+TEST_P(SurfacePoses, WorkIsTheEnergyOfTheNodes) {
   RigidSurface rough = floor_of();
   rough.friction = 0.2;
   rough.poses = {at(0, {}), at(0.5, {0.1, 0, 0.25}, {0.1, 0, 0.2}), at(1, {0.3, 0, 0.5}, {0, 0.1, 0.4})};
-  SurfaceScene<TypeParam> scene({{1, 1, 0.1}, {2, 1.5, 0.2}}, rough, 2);
+  SurfaceScene scene(GetParam(), {{1, 1, 0.1}, {2, 1.5, 0.2}}, rough, 2);
   scene.bench.v[1] = {0.5, 0, -1};
   expect_work_to_be_the_energy_of_the_nodes(scene, 50);
 }
 
-TYPED_TEST(SurfacePoses, RestartGivesTheSameBits) {
+TEST_P(SurfacePoses, RestartGivesTheSameBits) {
   RigidSurface rough = floor_of();
   rough.friction = 0.2;
   rough.poses = {at(0, {}), at(0.5, {0.1, 0, 0.25}, {0.1, 0, 0.2}), at(1, {0.3, 0, 0.5}, {0, 0.1, 0.4})};
   const std::vector<Vec3<double>> X{{1, 1, 0.1}, {2, 1.5, 0.2}, {3, 3, 0.05}};
-  expect_same_bits_after_restart([&] { return SurfaceScene<TypeParam>(X, rough); });
+  expect_same_bits_after_restart(GetParam(), model_of(X, rough));
 }
 
 /// A checkpoint of another motion must not be taken.

@@ -3,17 +3,13 @@
 
 #include <memory>
 
-#include <glisson/core/solids/staged_solids.hpp>
-#include <glisson/run/assemble.hpp>
-#include <tests/cuda/fake_backend.hpp>
+#include <glisson/core/any_simulation.hpp>
+#include <glisson/cuda/device.hpp>
+#include <tests/cuda/fake_runtime.hpp>
 
 namespace glisson::cuda {
 
-inline std::unique_ptr<AnySimulation> simulate_fake(const Model& model, std::unique_ptr<Device> device) {
-  const std::string name = device->named();
-  return assemble<FakeGpu, float>(model, std::make_unique<FakeGpu>(std::move(device)), name,
-                                  make_staged_solids<FakeGpu, float>, make_plain_shells<FakeGpu, float>);
-}
+std::unique_ptr<AnySimulation> simulate_fake(const Model& model, std::unique_ptr<Device> device);
 
 /// The only one of its device.
 inline std::unique_ptr<AnySimulation> alone(const Model& model) {
