@@ -143,7 +143,9 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     if (B::space == Space::host || 8 * motion_ > distances_.reach) return 0;
     int steps = most_quiet_steps;
     if (left < 2 * motion_ * most_quiet_steps) steps = static_cast<int>(left / (2 * motion_));
-    while (steps > 0 && prescribed_.ahead(step.t_next, step.t_next - step.t, steps) > left) steps /= 2;
+    // after a fast step there may be room for more than a facet is looked for behind it
+    const double most = std::min(left, 0.5 * distances_.reach);
+    while (steps > 0 && prescribed_.ahead(step.t_next, step.t_next - step.t, steps) > most) steps /= 2;
     return steps;
   }
   bool leaves_points() const { return listed_ && surface_.may_leave_points(); }

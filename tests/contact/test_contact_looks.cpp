@@ -108,6 +108,17 @@ TEST(ContactLooks, SeeAToolThatStartsAllOfASudden) {
   }
 }
 
+/// The same after a first step that brings it there from far off, and so leaves room for many edges.
+TEST(ContactLooks, SeeAToolThatStartsAgain) {
+  Model model = resting_plate(0.02);
+  const std::vector<int> plate = nodes_above(0.025, model);
+  for (const int n : plate) model.mesh.X[std::size_t(n)].z += 0.01;
+  model.displacements.push_back({plate, 4, {-0.01}, step_curve(1)});
+  model.displacements.push_back(
+      {plate, 4, {-0.009}, {LoadShape::table, 0, 1, false, {{0.02, 0}, {0.0201, 1}}}});
+  for (const Case& its : {serial_float, emulated}) EXPECT_LT(deepest_of(model, its), 0.05 * 0.01) << its.name;
+}
+
 /// Four kilopascals on it. Devices can lose it: see doc/contact.md.
 TEST(ContactLooks, OfAHostSeeWhatAForceStartsAllOfASudden) {
   Model model = resting_plate(0.02);
