@@ -44,7 +44,7 @@ double edge_length_at(const std::vector<int>& nodes, const std::vector<Facet>& f
 }
 
 void refuse_far(double distance, const RigidSurface& surface, double edge) {
-  if (distance <= farthest * edge) return;
+  if (distance <= (1 + 1e-9) * farthest * edge) return;  // edges are differences of rounded positions
   throw Error(ErrorKind::input,
               "it slows approaches below " + number_text(distance) + " (RateConstraintDistance" +
                   (surface.distance ? "" : " of SystemParams, by default ten times ContactSafetyMargin") +

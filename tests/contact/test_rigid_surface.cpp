@@ -278,6 +278,9 @@ TEST(SurfaceStart, RateDistancesAreBoundedByTheBodysEdges) {
       << refused();
   model.surfaces[0].distance = 0.099;
   EXPECT_EQ(refused(), "");
+  for (auto& X : model.mesh.X) X = X + Vec3<double>{1, 1, 1};
+  model.surfaces[0].distance = 0.1;
+  EXPECT_EQ(refused(), "") << "half of an edge, but for rounding";
   model.surfaces[0].distance = 0.101;
   EXPECT_NE(refused().find("below 0.101 (RateConstraintDistance), too much"), std::string::npos) << refused();
   model.surfaces[0].penalty = default_penalty;
