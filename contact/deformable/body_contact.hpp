@@ -20,7 +20,7 @@
 
 namespace glisson::contact {
 
-constexpr int contact_iterations = 16;
+constexpr int contact_iterations = 10;  // touch.hpp says why
 /// After how many steps a device's host looks again at the latest.
 constexpr int most_quiet_steps = 8;
 
@@ -196,25 +196,29 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
         loop(loop.team_size, DealTouches<R>{list, dealt, &count});
         loop(count.packs() * touches_abreast,
              StartPressing<R>{touches, dealt.slots, nodes.entry, dealt.place, nodes.share});
-        iterate(touches, nodes, [&](const PushTouches<R>& push, const MovePushed<R>& move) {
-          loop_ranged(loop, count.packs(), PushDealt<R>{push.template with_lanes<FacetLanes<R>>()},
+        const auto push = [&](const PushTouches<R>& its) {
+          loop_ranged(loop, count.packs(), PushDealt<R>{its.template with_lanes<FacetLanes<R>>()},
                       loops_.push);
-          loop_ranged(loop, loop.team_size, MoveDealt<R>{move, dealt, count}, loops_.move);
-        });
+        };
+        const auto move = [&](const MovePushed<R>& its) {
+          loop_ranged(loop, loop.team_size, MoveDealt<R>{its, dealt, count}, loops_.move);
+        };
+        iterate(touches, nodes, push, move);
       } else {
         loop(lists_.node_count(), list);
         loop(lists_.slots(), StartPressing<R>{touches, nullptr, nodes.entry, nodes.entry, nodes.share});
-        iterate(touches, nodes, [&](const PushTouches<R>& push, const MovePushed<R>& move) {
-          loop(lists_.slots(), push);
-          loop(lists_.node_count(), move);
-        });
+        const auto push = [&](const PushTouches<R>& its) { loop(lists_.slots(), its); };
+        const auto move = [&](const MovePushed<R>& its) { loop(lists_.node_count(), its); };
+        iterate(touches, nodes, push, move);
       }
     });
   }
-  template <class Run>
-  void iterate(const PressingTouches<R>& touches, const PushedNodes<R>& nodes, const Run& run) const {
+  template <class RunPush, class RunMove>
+  void iterate(const PressingTouches<R>& touches, const PushedNodes<R>& nodes, const RunPush& push,
+               const RunMove& move) const {
     const bool penalty = distances_.penalty > 0;
     const int iterations = penalty && !rules_.any_friction() ? 1 : contact_iterations;
+    move({nodes, touches.push, false});
     double momentum = 1;  // Nesterov's t
     for (int i = 0; i < iterations; ++i) {
       const bool last = i + 1 == iterations;
@@ -222,8 +226,8 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
       const double ahead = last ? 0 : (momentum - 1) / next;
       const double share = !penalty ? 1 : i == 0 ? distances_.penalty : 0;
       momentum = next;
-      run(PushTouches<R>{touches, nodes.moved, R(ahead), R(share), last ? lists_.touches() : nullptr},
-          MovePushed<R>{nodes, touches.push, last});
+      push({touches, nodes.moved, R(ahead), R(share), last ? lists_.touches() : nullptr});
+      move({nodes, touches.push, last});
     }
   }
 

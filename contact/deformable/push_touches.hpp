@@ -44,7 +44,7 @@ struct PressingTouches {
   Vec4<R>* push;            ///< on the side of weight > 0 [N]
 };
 
-/// Makes ready what the iterations go through.
+/// Makes ready what the iterations go through, and the push that they start from.
 template <class R>
 struct StartPressing {
   static constexpr int cost = 10;
@@ -70,6 +70,7 @@ struct StartPressing {
     p.missing[l] = t.target - t.gap;
     p.gain[l] = sum > R(0) ? R(1) / sum : R(0);  // 0: both sides are held
     p.pressing[l] = p.pressing_ahead[l] = t.pressing;
+    touches.push[c] = (t.pressing * Row<R>::of({t.normal.x, t.normal.y, t.normal.z, R(0)})).value();
     if (touches.rubbing) start(touches.rubbing[c / touches_abreast], l, t);
   }
 
