@@ -8,6 +8,7 @@
 #include <glisson/contact/bvh/update_nodes.hpp>
 #include <glisson/core/any_simulation.hpp>
 #include <glisson/core/mesh/surface.hpp>
+#include <glisson/core/mesh/triangles.hpp>
 
 namespace glisson::bench {
 
@@ -58,7 +59,7 @@ class HierarchyCounts {
   }
   static double sum_of_heights(const std::vector<contact::Triangle>& triangles,
                                const std::vector<Vec3<double>>& X) {
-    const auto sizes = contact::triangle_sizes(triangles, X);
+    const auto sizes = triangle_sizes(triangles, X);
     return sizes.smallest + sizes.largest;
   }
   static contact::HierarchySettings settings(const std::vector<contact::Triangle>& triangles,

@@ -36,6 +36,21 @@ struct StepView {
   void* stream = nullptr;
 };
 
+/// The same step in another precision, without its arrays and stream.
+template <class To, class From>
+StepView<To> without_arrays(const StepView<From>& step) {
+  StepView<To> its;
+  its.step = step.step;
+  its.t = step.t;
+  its.dt = step.dt;
+  its.t_next = step.t_next;
+  its.advance_per_force = To(step.advance_per_force);
+  its.advance = step.advance;
+  its.monitor = step.monitor;
+  its.strain_energy = step.strain_energy;
+  return its;
+}
+
 /// What a provider may read once, when it is added to a simulation.
 struct Attachment {
   std::span<const Vec3<double>> X;        ///< rest position [m], in the provider's numbering  [node_count]

@@ -30,7 +30,7 @@ void refuse_deep(const RigidMotion& motion, int worst, double deepest, const Mes
   throw Error(ErrorKind::input,
               "node " + std::to_string(worst) + " starts " + number_text(deepest) +
                   (plate ? " behind it" : " inside of it") +
-                  ", so the first step would throw it out. Move one of " +
+                  ", too deep to be let out at the start of the run. Move one of " +
                   (plate ? "them; if the elements are on its wrong side, exchange b and c" : "them"),
               {"", 0, motion.body().name});
 }

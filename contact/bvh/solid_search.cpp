@@ -7,6 +7,7 @@
 
 #include <glisson/contact/bvh/box.hpp>
 #include <glisson/contact/geometry/closest_points.hpp>
+#include <glisson/core/mesh/triangles.hpp>
 
 namespace glisson::contact {
 namespace {

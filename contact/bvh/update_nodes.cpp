@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glisson/core/mesh/triangles.hpp>
+
 namespace glisson::contact {
 namespace {
 

@@ -9,6 +9,7 @@
 #include <glisson/contact/deformable/side_normal.hpp>
 #include <glisson/contact/geometry/lower_quartile.hpp>
 #include <glisson/core/base/error.hpp>
+#include <glisson/core/mesh/triangles.hpp>
 
 namespace glisson::contact {
 namespace {

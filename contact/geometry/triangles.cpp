@@ -126,17 +126,4 @@ std::vector<Vec3<double>> vertex_normals(std::span<const Triangle> triangles, No
   return normals;
 }
 
-TriangleSizes triangle_sizes(std::span<const Triangle> triangles, Nodes x) {
-  TriangleSizes sizes;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const Triangle& t = triangles[i];
-    const auto ab = at(x, t[1]) - at(x, t[0]), ac = at(x, t[2]) - at(x, t[0]);
-    const double longest = std::sqrt(std::max({squared(ab), squared(ac), squared(ac - ab)}));
-    const double height = longest > 0 ? std::sqrt(squared(cross(ab, ac))) / longest : 0;
-    sizes.smallest = i == 0 ? height : std::min(sizes.smallest, height);
-    sizes.largest = std::max(sizes.largest, height);
-  }
-  return sizes;
-}
-
 }  // namespace glisson::contact

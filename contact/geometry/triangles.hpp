@@ -33,10 +33,4 @@ std::vector<std::array<int, 2>> edges_of(std::span<const Triangle> triangles);
 std::vector<Vec3<double>> vertex_normals(std::span<const Triangle> triangles,
                                          std::span<const Vec3<double>> x);
 
-/// Smallest and largest height over an edge (twice the area per longest edge) [m]; both 0 without triangles.
-struct TriangleSizes {
-  double smallest = 0, largest = 0;
-};
-TriangleSizes triangle_sizes(std::span<const Triangle> triangles, std::span<const Vec3<double>> x);
-
 }  // namespace glisson::contact

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <glisson/contact/bvh/hierarchy.hpp>
+#include <glisson/core/mesh/triangles.hpp>
 
 namespace glisson::contact {
 namespace {
@@ -60,22 +61,9 @@ std::vector<SurfaceFacet<double>> facets_of(const std::vector<Triangle>& triangl
 
 /// Whether no edge of what a triangle hangs together with over edges is a border.
 std::vector<bool> closed_parts(const std::vector<Triangle>& triangles) {
-  const auto neighbours = neighbours_of(triangles);
-  std::vector<bool> closed(triangles.size()), seen(triangles.size());
-  for (std::size_t start = 0; start < triangles.size(); ++start) {
-    if (seen[start]) continue;
-    std::vector<std::size_t> part{start};
-    seen[start] = true;
-    bool border = false;
-    for (std::size_t i = 0; i < part.size(); ++i)
-      for (const int other : neighbours[part[i]]) {
-        border = border || other < 0;
-        if (other < 0 || seen[at(other)]) continue;
-        seen[at(other)] = true;
-        part.push_back(at(other));
-      }
-    for (const std::size_t t : part) closed[t] = !border;
-  }
+  std::vector<bool> closed(triangles.size());
+  for (const SurfacePart& part : parts_of(triangles))
+    for (const std::size_t t : part.triangles) closed[t] = part.closed;
   return closed;
 }
 

@@ -115,12 +115,14 @@ std::vector<double> start_depths(const RigidSurface& surface, const SurfaceData&
         " behind the surface, and no node starts in front of it. Its facets' normals (right-hand rule) point "
         "to the side that nodes stay on: list the nodes of its facets backwards, or move it");
   if (deep(sides.refused))
-    refuse(sides.refused,
-           " behind the surface, so the first step would throw it out. Move the surface or the body apart");
+    refuse(
+        sides.refused,
+        " behind the surface, too deep to be let out at the start of the run. Move the surface or the body "
+        "apart");
   if (sides.near.depth > most)
     refuse(sides.near,
            " too near to the surface: it is a node of a shell, which stays half of the thickness in front of "
-           "it, so the first step would throw it out. Move the surface or the shell apart");
+           "it, too deep to be let out at the start of the run. Move the surface or the shell apart");
   for (double& depth : sides.depth)
     if (depth > most) depth = 0;  // far below an open surface, where nothing holds it
   return std::move(sides.depth);

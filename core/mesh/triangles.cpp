@@ -113,4 +113,41 @@ double triangle_area(const Triangle& t, std::span<const Vec3<double>> X) {
   return 0.5 * std::sqrt(dot(N, N));
 }
 
+std::vector<SurfacePart> parts_of(std::span<const Triangle> triangles) {
+  std::vector<std::vector<int>> neighbours(triangles.size());
+  for (const TriangleEdge& edge : edges_of(triangles))
+    for (const int side : edge.sides)
+      neighbours[at(side / 3)].push_back(edge.sides.size() == 2 ? edge.sides[side == edge.sides[0]] / 3 : -1);
+  std::vector<bool> seen(triangles.size());
+  std::vector<SurfacePart> parts;
+  for (std::size_t first = 0; first < triangles.size(); ++first) {
+    if (seen[first]) continue;
+    seen[first] = true;
+    SurfacePart part;
+    part.triangles = {first};
+    for (std::size_t i = 0; i < part.triangles.size(); ++i)
+      for (const int other : neighbours[part.triangles[i]]) {
+        part.closed = part.closed && other >= 0;
+        if (other < 0 || seen[at(other)]) continue;
+        seen[at(other)] = true;
+        part.triangles.push_back(at(other));
+      }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+TriangleSizes triangle_sizes(std::span<const Triangle> triangles, std::span<const Vec3<double>> X) {
+  TriangleSizes sizes;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Triangle& t = triangles[i];
+    const auto ab = X[at(t[1])] - X[at(t[0])], ac = X[at(t[2])] - X[at(t[0])], bc = ac - ab;
+    const double longest = std::sqrt(std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)}));
+    const double height = longest > 0 ? 2 * triangle_area(t, X) / longest : 0;
+    sizes.smallest = i == 0 ? height : std::min(sizes.smallest, height);
+    sizes.largest = std::max(sizes.largest, height);
+  }
+  return sizes;
+}
+
 }  // namespace glisson

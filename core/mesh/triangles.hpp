@@ -37,6 +37,19 @@ void append_triangles(const Facet& facet, std::span<const Vec3<double>> X, std::
 /// The triangles as facets without a solid element.  [triangle_count]
 std::vector<Facet> facets_of(std::span<const Triangle> triangles);
 
+/// Smallest and largest height over an edge (twice the area per longest edge) [m]; both 0 without triangles.
+struct TriangleSizes {
+  double smallest = 0, largest = 0;
+};
+TriangleSizes triangle_sizes(std::span<const Triangle> triangles, std::span<const Vec3<double>> X);
+
+/// Triangles that hang together over edges.
+struct SurfacePart {
+  std::vector<std::size_t> triangles;
+  bool closed = true;  ///< all of their edges have two sides
+};
+std::vector<SurfacePart> parts_of(std::span<const Triangle> triangles);
+
 /// [m^2]
 double triangle_area(const Triangle& triangle, std::span<const Vec3<double>> X);
 

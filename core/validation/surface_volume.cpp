@@ -15,48 +15,7 @@ constexpr double thinnest = 1e-3;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Triangles that hang together over edges.
-struct SurfacePart {
-  std::vector<std::size_t> triangles;
-  bool closed = true;
-};
-
-std::vector<SurfacePart> parts_of(const std::vector<Triangle>& triangles) {
-  std::vector<std::vector<int>> neighbours(triangles.size());
-  for (const TriangleEdge& edge : edges_of(triangles))
-    for (const int side : edge.sides)
-      neighbours[at(side / 3)].push_back(edge.sides.size() == 2 ? edge.sides[side == edge.sides[0]] / 3 : -1);
-  std::vector<bool> seen(triangles.size());
-  std::vector<SurfacePart> parts;
-  for (std::size_t first = 0; first < triangles.size(); ++first) {
-    if (seen[first]) continue;
-    seen[first] = true;
-    SurfacePart part;
-    part.triangles = {first};
-    for (std::size_t i = 0; i < part.triangles.size(); ++i)
-      for (const int other : neighbours[part.triangles[i]]) {
-        part.closed = part.closed && other >= 0;
-        if (other < 0 || seen[at(other)]) continue;
-        seen[at(other)] = true;
-        part.triangles.push_back(at(other));
-      }
-    parts.push_back(std::move(part));
-  }
-  return parts;
-}
-
 double length_of(const Vec3<double>& a) { return std::sqrt(dot(a, a)); }
-
-/// Of the highest triangle over its longest edge [m].
-double largest_height(const std::vector<Triangle>& triangles, const std::vector<Vec3<double>>& X) {
-  double height = 0;
-  for (const Triangle& t : triangles) {
-    const auto &a = X[at(t[0])], &b = X[at(t[1])], &c = X[at(t[2])];
-    height = std::max(height, length_of(cross(b - a, c - a)) /
-                                  std::max({length_of(b - a), length_of(c - b), length_of(a - c)}));
-  }
-  return height;
-}
 
 /// Volume over half of the area: the thickness of a plate, 2/3 of the radius of a ball [m].
 double mean_thickness(const SurfacePart& part, const std::vector<Triangle>& triangles,
@@ -82,7 +41,7 @@ void check_volumes(const RigidSurface& surface, const std::string& where) {
     append_triangles(surface.surface.facets[f], X, triangles);
     facet.resize(triangles.size(), f);
   }
-  const double height = largest_height(triangles, X);
+  const double height = triangle_sizes(triangles, X).largest;
   for (const SurfacePart& part : parts_of(triangles)) {
     if (!part.closed) continue;
     const double thickness = mean_thickness(part, triangles, X);

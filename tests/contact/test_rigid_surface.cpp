@@ -302,9 +302,9 @@ TEST(SurfaceStart, AClosedSurfaceHasAnInsideAtAnyDepth) {
   const RigidSurface ball = surface_of(sphere({}, 10, 48, 64));  // far larger than its facets
   const std::vector<Vec3<double>> inside{{0, 0, 0.1}, {2, 1, 0}}, both{{0, 0, 0.1}, {20, 1, 0}};
   expect_refused(ball, inside, "no node starts in front of it");
-  expect_refused(ball, both, "throw it out");
+  expect_refused(ball, both, "too deep to be let out");
   expect_taken(turned(ball), inside);
-  expect_refused(turned(ball), both, "throw it out");
+  expect_refused(turned(ball), both, "too deep to be let out");
 }
 
 /// Two cones whose tips are one node: beside the tips, and in the cones, the side is that of the nearer one.

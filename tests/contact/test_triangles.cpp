@@ -7,6 +7,7 @@
 #include <glisson/contact/geometry/triangles.hpp>
 #include <glisson/core/mesh/box_mesh.hpp>
 #include <glisson/core/mesh/surface.hpp>
+#include <glisson/core/mesh/triangles.hpp>
 
 namespace glisson::contact {
 namespace {

@@ -15,14 +15,12 @@ class BenchLoadOn final : public BenchLoad {
   std::string_view name() const override { return load_->name(); }
   double stable_step() const override { return load_->stable_step(); }
   void add_forces(const StepView<double>& step) override {
-    StepView<R> view = nodes_.arrays();
-    view.step = step.step;
-    view.t = step.t;
-    view.dt = step.dt;
-    view.advance_per_force = R(step.advance_per_force);
-    view.advance = step.advance;
-    view.monitor = step.monitor;
-    view.strain_energy = step.strain_energy;
+    const StepView<R> arrays = nodes_.arrays();
+    auto view = without_arrays<R>(step);
+    view.u = arrays.u;
+    view.v = arrays.v;
+    view.f = arrays.f;
+    view.node_count = arrays.node_count;
     load_->add_forces(view);
   }
   double work() const override { return load_->work(); }
@@ -47,16 +45,7 @@ class LoadedNodesOn final : public LoadedNodes {
       result.push_back(std::make_unique<BenchLoadOn<B, R>>(mirror_, std::move(load)));
     return result;
   }
-  StepView<double> view(double t, double dt) override {
-    const StepView<R> its = mirror_.view(t, dt);
-    StepView<double> step;
-    step.step = its.step;
-    step.t = t;
-    step.dt = dt;
-    step.advance_per_force = double(its.advance_per_force);
-    step.monitor = its.monitor;
-    return step;
-  }
+  StepView<double> view(double t, double dt) override { return without_arrays<double>(mirror_.view(t, dt)); }
   const std::vector<Vec3<double>>& forces(BenchLoad& load, const StepView<double>& step) override {
     load.add_forces(step);
     mirror_.get_f();

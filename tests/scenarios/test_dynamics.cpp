@@ -11,6 +11,35 @@ const Material soft{"NH", mu_kappa(3000, 0.45), 1000};
 
 class Dynamics : public Matrix {};
 
+/// Pushes nothing, and remembers the last step that advanced.
+class Watcher final : public ForceProvider<double> {
+ public:
+  explicit Watcher(StepView<double>& last) : last_(last) {}
+  std::string_view name() const override { return "watcher"; }
+  void add_forces(const StepView<double>& step) override {
+    if (step.advance) last_ = step;
+  }
+
+ private:
+  StepView<double>& last_;
+};
+
+TEST_P(Dynamics, AProviderOfTheUserSeesTheTimesOfTheStep) {
+  Model model = box_model({2, 2, 2}, {0.1, 0.1, 0.1}, Formulation::t4, soft);
+  model.time.total = 0.2;
+  auto simulation = simulate(model, GetParam());
+  StepView<double> seen;
+  simulation->add(std::make_unique<Watcher>(seen));
+  simulation->step(3);
+  const double dt = simulation->report().dt;
+  EXPECT_EQ(seen.step, 2);
+  EXPECT_EQ(seen.node_count, model.mesh.node_count());
+  EXPECT_NEAR(seen.dt, dt, 1e-12 * dt);
+  EXPECT_NEAR(seen.t, 2 * dt, 1e-9 * dt);
+  EXPECT_NEAR(seen.t_next, 3 * dt, 1e-9 * dt);
+  EXPECT_NEAR(seen.advance_per_force, dt * dt, dt * dt * GetParam().rounding());
+}
+
 TEST_P(Dynamics, FreeFallIsHalfGTSquared) {
   for (const auto formulation :
        {Formulation::t4, Formulation::t4anp, Formulation::h8, Formulation::h8_full}) {
