@@ -36,7 +36,7 @@ struct StepView {
   void* stream = nullptr;
 };
 
-/// The same step in another precision, without its arrays and stream.
+/// The same step in another precision, without its arrays, their length and the stream.
 template <class To, class From>
 StepView<To> without_arrays(const StepView<From>& step) {
   StepView<To> its;

@@ -12,6 +12,7 @@
 #include <glisson/contact/bvh/device_search.hpp>
 #include <glisson/contact/deformable/candidate_lists.hpp>
 #include <glisson/contact/deformable/contact_loops.hpp>
+#include <glisson/contact/deformable/load_jumps.hpp>
 #include <glisson/contact/deformable/prescribed_motion.hpp>
 #include <glisson/contact/deformable/start_overlap.hpp>
 #include <glisson/contact/deformable/surface_state.hpp>
@@ -57,6 +58,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
         pair_source_(pair_source(backend, mesh_, rules_, search_.hierarchy())),
         start_depth_(start_depth(mesh_, rules_, distances_, search_.hierarchy())),
         prescribed_(model),
+        loads_(model),
         surface_(backend, mesh_, model, numbering),
         lists_(backend, mesh_),
         work_(backend, mesh_.node_count()) {
@@ -120,33 +122,38 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     work_.run(step, lists_.internal_nodes(), lists_.found_force(), lists_.node_count());
     lists_.restore(kept);
   }
-  /// Searches if a node went too far. Without search the candidates hold for those steps in which no node
-  /// uses up the room that is left at twice the speed of now.
+  /// Searches if a node went too far.
   void look(const StepView<R>& step) {
     const Extent<R> extent = surface_.extent();
     surface_.forget_extent();
     ++looks_;
     lost_ = !std::isfinite(double(extent.motion));  // the energy account names the node
     if (lost_) return;
-    motion_ = std::sqrt(double(extent.motion));
+    const double motion = std::sqrt(double(extent.motion));
+    growth_ = std::max(0.0, (motion - motion_) / (quiet_steps_ + 1));
+    motion_ = motion;
     double drift = extent.drift();
     if (!listed_ || !(drift < room_)) {
       if (leaves_points()) surface_.place(step, lists_.force().get(), true);
       search(motion_);
       drift = 0;
     }
-    steps_to_look_ = quiet_steps(step, room_ - drift);
+    quiet_steps_ = steps_to_look_ = B::space == Space::host ? 0 : quiet_steps(step, room_ - drift);
   }
-  /// Steps without a look, for which a device has to wait; hosts need none. Nor are there any where a node
-  /// could soon pass a facet unseen, or where one is about to start whose motion is prescribed.
+  /// Steps without a look, for which a device has to wait; hosts need none.
   int quiet_steps(const StepView<R>& step, double left) const {
-    if (B::space == Space::host || 8 * motion_ > distances_.reach) return 0;
     int steps = most_quiet_steps;
-    if (left < 2 * motion_ * most_quiet_steps) steps = static_cast<int>(left / (2 * motion_));
-    // after a fast step there may be room for more than a facet is looked for behind it
-    const double most = std::min(left, 0.5 * distances_.reach);
-    while (steps > 0 && prescribed_.ahead(step.t_next, step.t_next - step.t, steps) > most) steps /= 2;
+    while (steps > 0 && !stays_quiet(step, left, steps)) --steps;
     return steps;
+  }
+  /// Whether no node uses up what is left of the room, or could pass a facet unseen, in so many steps: at
+  /// twice the speed, with what it gained since the last look, and where its motion is prescribed.
+  bool stays_quiet(const StepView<R>& step, double left, int steps) const {
+    const double dt = step.t_next - step.t, motion = motion_ + steps * growth_;
+    // after a fast step there may be room for more than a facet is looked for behind it
+    return 8 * motion <= distances_.reach && 2 * steps * motion <= left &&
+           prescribed_.ahead(step.t_next, dt, steps) <= std::min(left, 0.5 * distances_.reach) &&
+           !loads_.within(step.t, dt, steps);
   }
   bool leaves_points() const { return listed_ && surface_.may_leave_points(); }
   /// Candidates for nodes that move some such steps or `room` without another search.
@@ -218,7 +225,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
                const RunMove& move) const {
     const bool penalty = distances_.penalty > 0;
     const int iterations = penalty && !rules_.any_friction() ? 1 : contact_iterations;
-    move({nodes, touches.push, false});
+    if (!penalty) move({nodes, touches.push, false});  // by the multipliers of the last step
     double momentum = 1;  // Nesterov's t
     for (int i = 0; i < iterations; ++i) {
       const bool last = i + 1 == iterations;
@@ -241,6 +248,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   PairSource pair_source_;
   double start_depth_;
   PrescribedMotion prescribed_;
+  LoadJumps loads_;
   SurfaceState<B, R> surface_;
   CandidateLists<B, R> lists_;
   ListWork<B, R> work_;
@@ -250,7 +258,9 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   bool listed_ = false, lost_ = false;
   double room_ = 0;    ///< of the present candidates [m]
   double motion_ = 0;  ///< of the fastest node in a step, when somebody looked last [m]
+  double growth_ = 0;  ///< of that motion in a step, from the look before [m]
   int steps_to_look_ = 0;
+  int quiet_steps_ = 0;  ///< what it was at the last look
   int touch_count_ = 0;  ///< of the last step, on hosts
   std::int64_t looks_ = 0;
   double seconds_ = 0, search_seconds_ = 0, touch_seconds_ = 0, force_seconds_ = 0;
@@ -298,7 +308,8 @@ std::vector<std::byte> BodyContact<B, R>::save() const {
   std::vector<std::uint8_t> listed(internal_.size(), 0);
   for (const int k : lists_.host_nodes()) listed[std::size_t(k)] = 1;
   detail::ByteWriter out;
-  out.value(std::int64_t(listed_)).value(room_).value(motion_).value(std::int64_t(steps_to_look_));
+  out.value(std::int64_t(listed_)).value(room_).value(motion_);
+  out.value(std::int64_t(steps_to_look_)).value(std::int64_t(quiet_steps_));
   for (const std::uint8_t its : listed) out.value(its);
   surface_.save(out);
   out.buffer(backend_, lists_.force(), internal_.size())
@@ -312,12 +323,14 @@ std::vector<std::byte> BodyContact<B, R>::save() const {
 template <Backend B, class R>
 void BodyContact<B, R>::load(std::span<const std::byte> bytes) {
   detail::ByteReader in(bytes, std::string(name()));
-  std::int64_t listed = 0, steps_to_look = 0;
+  std::int64_t listed = 0, steps_to_look = 0, quiet_steps = 0;
   in.value(listed);
   in.value(room_);
   in.value(motion_);
   in.value(steps_to_look);
+  in.value(quiet_steps);
   steps_to_look_ = static_cast<int>(steps_to_look);
+  quiet_steps_ = static_cast<int>(quiet_steps);
   std::vector<int> nodes;
   for (std::size_t k = 0; k < internal_.size(); ++k) {
     std::uint8_t its = 0;

@@ -19,7 +19,8 @@ ContactDistances contact_distances(const DeformableContact& contact, const Conta
   ContactDistances d;
   d.offset = contact.offset;
   d.close = contact.distance.value_or(rate_distance(mesh.shortest, mesh.longest));
-  if (!(d.offset + d.close <= most_apart * mesh.edge_length))
+  constexpr double rounding = 1e-9;  // edges are differences of rounded positions
+  if (!(d.offset + d.close <= (1 + rounding) * most_apart * mesh.edge_length))
     throw Error(
         ErrorKind::input,
         "it keeps a gap of " + number_text(d.offset) + " (ContactSafetyMargin) and slows approaches below " +

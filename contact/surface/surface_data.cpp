@@ -62,7 +62,7 @@ std::vector<SurfaceFacet<double>> facets_of(const std::vector<Triangle>& triangl
 /// Whether no edge of what a triangle hangs together with over edges is a border.
 std::vector<bool> closed_parts(const std::vector<Triangle>& triangles) {
   std::vector<bool> closed(triangles.size());
-  for (const SurfacePart& part : parts_of(triangles))
+  for (const SurfacePart& part : connected_parts(triangles))
     for (const std::size_t t : part.triangles) closed[t] = part.closed;
   return closed;
 }

@@ -121,8 +121,8 @@ std::vector<double> start_depths(const RigidSurface& surface, const SurfaceData&
         "apart");
   if (sides.near.depth > most)
     refuse(sides.near,
-           " too near to the surface: it is a node of a shell, which stays half of the thickness in front of "
-           "it, too deep to be let out at the start of the run. Move the surface or the shell apart");
+           " too near to the surface to be let out at the start of the run: it is a node of a shell, which "
+           "stays half of the thickness in front of it. Move the surface or the shell apart");
   for (double& depth : sides.depth)
     if (depth > most) depth = 0;  // far below an open surface, where nothing holds it
   return std::move(sides.depth);

@@ -113,7 +113,7 @@ double triangle_area(const Triangle& t, std::span<const Vec3<double>> X) {
   return 0.5 * std::sqrt(dot(N, N));
 }
 
-std::vector<SurfacePart> parts_of(std::span<const Triangle> triangles) {
+std::vector<SurfacePart> connected_parts(std::span<const Triangle> triangles) {
   std::vector<std::vector<int>> neighbours(triangles.size());
   for (const TriangleEdge& edge : edges_of(triangles))
     for (const int side : edge.sides)

@@ -1,4 +1,5 @@
-// Triangle surfaces: who lies across which edge, a common orientation, and facets cut into triangles.
+// Triangle surfaces: who lies across which edge, parts, a common orientation, sizes, facets cut into
+// triangles.
 #pragma once
 
 #include <array>
@@ -43,12 +44,12 @@ struct TriangleSizes {
 };
 TriangleSizes triangle_sizes(std::span<const Triangle> triangles, std::span<const Vec3<double>> X);
 
-/// Triangles that hang together over edges.
+/// Triangles that hang together over edges with two sides.
 struct SurfacePart {
   std::vector<std::size_t> triangles;
   bool closed = true;  ///< all of their edges have two sides
 };
-std::vector<SurfacePart> parts_of(std::span<const Triangle> triangles);
+std::vector<SurfacePart> connected_parts(std::span<const Triangle> triangles);
 
 /// [m^2]
 double triangle_area(const Triangle& triangle, std::span<const Vec3<double>> X);

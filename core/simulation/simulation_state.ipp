@@ -195,7 +195,7 @@ std::size_t Simulation<B, R>::memory_bytes() const {
   return nodes_.memory_bytes() + power_.memory_bytes() + parts_.solids->memory_bytes();
 }
 
-constexpr std::uint64_t checkpoint_mark = 0x33'6b'63'20'73'69'6c'67;  // "glis ck3"
+constexpr std::uint64_t checkpoint_mark = 0x34'6b'63'20'73'69'6c'67;  // "glis ck4"
 
 template <Backend B, class R>
 void Simulation<B, R>::save(std::ostream& out) const {

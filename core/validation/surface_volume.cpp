@@ -2,7 +2,6 @@
 #include <glisson/core/mesh/triangles.hpp>
 #include <glisson/core/validation/checks.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace glisson::detail {
@@ -42,7 +41,7 @@ void check_volumes(const RigidSurface& surface, const std::string& where) {
     facet.resize(triangles.size(), f);
   }
   const double height = triangle_sizes(triangles, X).largest;
-  for (const SurfacePart& part : parts_of(triangles)) {
+  for (const SurfacePart& part : connected_parts(triangles)) {
     if (!part.closed) continue;
     const double thickness = mean_thickness(part, triangles, X);
     if (thickness > thinnest * height) continue;
