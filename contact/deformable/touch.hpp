@@ -71,14 +71,14 @@ GLISSON_HD bool enters(Touch<R>& t, R entry) {
 /// bodies give neither stiffness nor damping, grows from step to step by 1 + s with
 ///   s^3 + (1 - m + c (1 + b + m)) s^2 + c (1 + 2 b) s + c b = 0.
 /// It dies out where c > (b / (1 + 2 b) - (1 - m)) / (1 + b + m) (Routh), here 0.05; below, it swings and
-/// grows by less than 0.03 a step, which the damping of bodies has to hold. At rest it keeps the gap (1 - m)
-/// (1 / c - 1) load / b, which makes the stress at an interface uneven. Measured with 10 iterations and b -
-/// (1
-/// - m) = 0.15, as here: blocks that are pressed by 60 % are quiet. In patch tests of 3 x 3 on 4 x 4 cells
-/// the stress varies by 0.2 to 0.4 % at m = 0.99, by 0.7 to 1.3 % at 0.95 (16 iterations: 0.3 to 0.6 %), not
-/// at all at 1. But of 100 heaps of undamped boxes that were thrown at each other one gained 26 % of energy
-/// at m = 0.999 and at 1, and none more than 9 % at 0.99. With 8 iterations friction is too weak by more than
-/// the tests allow.
+/// grows by less than 0.03 a step, which the damping of bodies has to hold. At rest it keeps the gap
+/// (1 - m) (1 / c - 1) load / b, which makes the stress at an interface uneven.
+///
+/// Measured with 10 iterations and b - (1 - m) = 0.15, as here: blocks that are pressed by 60 % are quiet. In
+/// patch tests of 3 x 3 on 4 x 4 cells the stress varies by 0.2 to 0.4 % at m = 0.99, by 0.7 to 1.3 % at 0.95
+/// (16 iterations: 0.3 to 0.6 %), not at all at 1. But of 100 heaps of undamped boxes that were thrown at
+/// each other one gained 26 % of energy at m = 0.999 and at 1, and none more than 9 % at 0.99. With 8
+/// iterations friction is too weak by more than the tests allow.
 constexpr double touch_memory = 0.99, depth_share = 0.16;
 
 /// What the gap must be at the end of the step. Behind the surface: on it, as the penetration response of
