@@ -17,9 +17,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Share of an edge length, as between deformable bodies.
-constexpr double farthest = 0.5;
-
 std::vector<Facet> facets_of_bodies(const Model& model) {
   std::vector<Facet> facets = outer_surface(model.mesh);
   for (const Facet& facet : facets_of(model.mesh.triangles)) facets.push_back(facet);
@@ -44,7 +41,7 @@ double edge_length_at(const std::vector<int>& nodes, const std::vector<Facet>& f
 }
 
 void refuse_far(double distance, const RigidSurface& surface, double edge) {
-  if (distance <= (1 + 1e-9) * farthest * edge) return;  // edges are differences of rounded positions
+  if (within_half_an_edge(distance, edge)) return;
   throw Error(ErrorKind::input,
               "it slows approaches below " + number_text(distance) + " (RateConstraintDistance" +
                   (surface.distance ? "" : " of SystemParams, by default ten times ContactSafetyMargin") +

@@ -130,7 +130,7 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
     lost_ = !std::isfinite(double(extent.motion));  // the energy account names the node
     if (lost_) return;
     const double motion = std::sqrt(double(extent.motion));
-    growth_ = std::max(0.0, (motion - motion_) / (quiet_steps_ + 1));
+    const double growth = std::max(0.0, (motion - motion_) / (quiet_steps_ + 1));
     motion_ = motion;
     double drift = extent.drift();
     if (!listed_ || !(drift < room_)) {
@@ -138,18 +138,19 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
       search(motion_);
       drift = 0;
     }
-    quiet_steps_ = steps_to_look_ = B::space == Space::host ? 0 : quiet_steps(step, room_ - drift);
+    quiet_steps_ = steps_to_look_ = B::space == Space::host ? 0 : quiet_steps(step, room_ - drift, growth);
   }
   /// Steps without a look, for which a device has to wait; hosts need none.
-  int quiet_steps(const StepView<R>& step, double left) const {
+  /// growth: of the motion in a step since the look before [m]
+  int quiet_steps(const StepView<R>& step, double left, double growth) const {
     int steps = most_quiet_steps;
-    while (steps > 0 && !stays_quiet(step, left, steps)) --steps;
+    while (steps > 0 && !stays_quiet(step, left, growth, steps)) --steps;
     return steps;
   }
   /// Whether no node uses up what is left of the room, or could pass a facet unseen, in so many steps: at
   /// twice the speed, with what it gained since the last look, and where its motion is prescribed.
-  bool stays_quiet(const StepView<R>& step, double left, int steps) const {
-    const double dt = step.t_next - step.t, motion = motion_ + steps * growth_;
+  bool stays_quiet(const StepView<R>& step, double left, double growth, int steps) const {
+    const double dt = step.t_next - step.t, motion = motion_ + steps * growth;
     // after a fast step there may be room for more than a facet is looked for behind it
     return 8 * motion <= distances_.reach && 2 * steps * motion <= left &&
            prescribed_.ahead(step.t_next, dt, steps) <= std::min(left, 0.5 * distances_.reach) &&
@@ -258,7 +259,6 @@ class BodyContact final : public ForceProvider<R>, public ContactSource {
   bool listed_ = false, lost_ = false;
   double room_ = 0;    ///< of the present candidates [m]
   double motion_ = 0;  ///< of the fastest node in a step, when somebody looked last [m]
-  double growth_ = 0;  ///< of that motion in a step, from the look before [m]
   int steps_to_look_ = 0;
   int quiet_steps_ = 0;  ///< what it was at the last look
   int touch_count_ = 0;  ///< of the last step, on hosts

@@ -7,20 +7,13 @@
 #include <glisson/core/base/number_text.hpp>
 
 namespace glisson::contact {
-namespace {
-
-/// Share of an edge length up to which surfaces may feel each other: they are searched twice as far behind a
-/// surface (four times at the start), which must be less than a body is thick.
-constexpr double most_apart = 0.5;
-
-}  // namespace
 
 ContactDistances contact_distances(const DeformableContact& contact, const ContactMesh& mesh) {
   ContactDistances d;
   d.offset = contact.offset;
   d.close = contact.distance.value_or(rate_distance(mesh.shortest, mesh.longest));
-  constexpr double rounding = 1e-9;  // edges are differences of rounded positions
-  if (!(d.offset + d.close <= (1 + rounding) * most_apart * mesh.edge_length))
+  // they are searched twice as far behind a surface (four times at the start)
+  if (!within_half_an_edge(d.offset + d.close, mesh.edge_length))
     throw Error(
         ErrorKind::input,
         "it keeps a gap of " + number_text(d.offset) + " (ContactSafetyMargin) and slows approaches below " +

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <glisson/contact/deformable/curve_change.hpp>
 #include <glisson/core/model.hpp>
 
 namespace glisson::contact {
@@ -22,10 +23,7 @@ class LoadJumps {
   /// amplitude. A ramp in fewer than ten times these steps is a jump.
   bool within(double t, double dt, int steps) const {
     return std::any_of(loads_.begin(), loads_.end(), [&](const Load& its) {
-      const double now = its.curve(t);
-      for (int k = 1; k <= steps; ++k)
-        if (std::abs(its.curve(t + k * dt) - now) > 0.1 * its.largest) return true;
-      return false;
+      return largest_change(its.curve, t, dt, steps) > 0.1 * its.largest;
     });
   }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <glisson/contact/deformable/curve_change.hpp>
 #include <glisson/core/model.hpp>
 
 namespace glisson::contact {
@@ -27,12 +28,7 @@ class PrescribedMotion {
   /// Several may move one node. Tables of poses are left out.
   double ahead(double t, double dt, int steps) const {
     double sum = 0;
-    for (const auto& [most, curve] : lists_) {
-      const double now = curve(t);
-      double change = 0;
-      for (int k = 1; k <= steps; ++k) change = std::max(change, std::abs(curve(t + k * dt) - now));
-      sum += most * change;
-    }
+    for (const auto& [most, curve] : lists_) sum += most * largest_change(curve, t, dt, steps);
     return sum;
   }
 
